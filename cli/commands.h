@@ -1,0 +1,24 @@
+// Every subcommand, once: a file cli/<name>.cpp with add_<name>, and its line here.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace relume {
+
+/// What a parsed subcommand runs; its value is the exit code.
+using Action = std::function<int()>;
+
+#define RELUME_COMMANDS(COMMAND)                                                   \
+  COMMAND(shade, "relight a G-buffer: new lights in, a scene-linear image out")    \
+  COMMAND(inspect, "what each channel of a G-buffer means, and how that was told") \
+  COMMAND(compare, "how far two images are apart, layer by layer")                 \
+  COMMAND(devices, "OpenCL devices, their lanes and self-test")                    \
+  COMMAND(list, "BRDFs, lights and conventions that Relume knows")                 \
+  COMMAND(evaluate, "a table of BRDF values for a table of cosines")
+
+#define RELUME_DECLARE_COMMAND(name, summary) void add_##name(CLI::App& command, Action& action);
+RELUME_COMMANDS(RELUME_DECLARE_COMMAND)
+#undef RELUME_DECLARE_COMMAND
+
+}  // namespace relume

@@ -1,0 +1,113 @@
+// relume list: the lists that the kernels, the files' keys and the tests are made from.
+#include <cstdio>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "gbuffer/error.h"
+#include "gbuffer/reading.h"
+#include "host/lobes.h"
+
+namespace relume {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json parameter_json(std::string_view name) {
+  const Parameter& p = parameter_named(name);
+  return {{"name", name}, {"components", p.components}, {"default", p.fallback}, {"lowest", p.lowest}, {"highest", p.highest}, {"meaning", p.meaning}};
+}
+
+Json parameters_json(const std::vector<std::string_view>& names) {
+  Json all = Json::array();
+  for (const std::string_view name : names) all.push_back(parameter_json(name));
+  return all;
+}
+
+Json lobe_json(const Lobe& lobe) {
+  return {{"name", lobe.name},
+          {"half", lobe.diffuse ? "diffuse" : "specular"},
+          {"parameters", parameters_json(user_parameters(lobe))},
+          {"fresnel", lobe.fresnels},
+          {"shadowing", lobe.shadowings},
+          {"distribution", lobe.distributions},
+          {"claims", lobe.claims},
+          {"source", lobe.source}};
+}
+
+Json brdfs_json() {
+  Json all = Json::array(), terms = Json::array();
+  for (const auto* lobes : {&diffuse_lobes(), &specular_lobes()})
+    for (const Lobe& lobe : *lobes) all.push_back(lobe_json(lobe));
+  for (const Term& f : fresnels()) terms.push_back({{"name", f.name}, {"parameters", parameters_json(user_parameters(f))}, {"source", f.source}});
+  return {{"brdfs", all}, {"fresnel", terms}};
+}
+
+std::string joined(const Json& names) {
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : " ") + name.get<std::string>();
+  return text;
+}
+
+void print_parameters(const Json& parameters) {
+  for (const auto& p : parameters)
+    std::printf("      %-17s %g..%g, default %g%s: %s\n", p["name"].get<std::string>().c_str(), p["lowest"].get<double>(), p["highest"].get<double>(),
+                p["default"].get<double>(), p["components"] == 3 ? ", rgb" : "", p["meaning"].get<std::string>().c_str());
+}
+
+void print_brdfs(const Json& lists) {
+  for (const auto& lobe : lists["brdfs"]) {
+    std::printf("%-8s %-22s %s\n", lobe["half"].get<std::string>().c_str(), lobe["name"].get<std::string>().c_str(), lobe["source"].get<std::string>().c_str());
+    print_parameters(lobe["parameters"]);
+    for (const char* key : {"fresnel", "shadowing", "distribution"})
+      if (!lobe[key].empty()) std::printf("      %-17s %s\n", key, joined(lobe[key]).c_str());
+    std::printf("      %-17s %s\n", "plausibility", joined(lobe["claims"]).c_str());
+  }
+  for (const auto& term : lists["fresnel"]) {
+    std::printf("fresnel  %-22s %s\n", term["name"].get<std::string>().c_str(), term["source"].get<std::string>().c_str());
+    print_parameters(term["parameters"]);
+  }
+}
+
+Json lights_json() {
+  Json all = Json::array();
+  for (const Term& light : light_types()) all.push_back({{"name", light.name}, {"keys", light.parameters}, {"source", light.source}});
+  all.push_back({{"name", "ambient"}, {"keys", {"intensity", "fraction"}}, {"source", "incident radiance from everywhere, W/(m^2 sr), or a share of the mean direct irradiance"}});
+  return all;
+}
+
+Json conventions_json() {
+  Json all = Json::array();
+  for (const Convention& c : conventions()) all.push_back({{"name", c.name}, {"title", c.title}, {"source", c.source}});
+  return all;
+}
+
+int list(const std::string& what, bool as_json) {
+  const Json lists = what == "brdfs" ? brdfs_json() : what == "lights" ? lights_json() : conventions_json();
+  if (as_json)
+    std::cout << lists.dump(2) << "\n";
+  else if (what == "brdfs")
+    print_brdfs(lists);
+  else
+    for (const auto& entry : lists) {
+      std::printf("%-12s %s\n", entry["name"].get<std::string>().c_str(), entry.value("title", entry["source"].get<std::string>()).c_str());
+      if (entry.contains("keys")) std::printf("%-12s keys: %s\n", "", joined(entry["keys"]).c_str());
+    }
+  return 0;
+}
+
+}  // namespace
+
+void add_list(CLI::App& command, Action& action) {
+  struct Arguments {
+    std::string what;
+    bool json = false;
+  };
+  const auto a = std::make_shared<Arguments>();
+  command.add_option("what", a->what, "brdfs, lights or conventions")->required()->check(CLI::IsMember({"brdfs", "lights", "conventions"}));
+  command.add_flag("--json", a->json, "for programs");
+  command.footer("Example: relume list brdfs");
+  command.callback([a, &action] { action = [a] { return list(a->what, a->json); }; });
+}
+
+}  // namespace relume

@@ -1,0 +1,60 @@
+// relume: arguments to a subcommand, failures to one line on stderr and a documented exit code.
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+#include <new>
+#include <unistd.h>
+
+#include "cli/commands.h"
+#include "gbuffer/error.h"
+#include "gbuffer/printable.h"
+#include "gbuffer/whole_file.h"
+
+namespace {
+
+/// An interrupt at any moment leaves nothing half-written: outputs are temporaries until they are whole.
+extern "C" void interrupted(int signal) {
+  relume::remove_temporaries();
+  _exit(128 + signal);
+}
+
+int complain(const std::string& message, int code) {
+  std::string line;
+  for (const char c : message) line += c == '\n' ? ' ' : c;
+  std::cerr << "relume: " << relume::printable(line) << "\n";
+  return code;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"Relights stored G-buffers: normals, positions and materials from OpenEXR, new lights, OpenCL kernels, scene-linear OpenEXR out."};
+  app.set_version_flag("--version", "relume " RELUME_VERSION);
+  app.require_subcommand(1);
+  relume::Action action;
+#define RELUME_ADD_COMMAND(name, summary) relume::add_##name(*app.add_subcommand(#name, summary), action);
+  RELUME_COMMANDS(RELUME_ADD_COMMAND)
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return complain(std::string(error.what()) + " (relume --help, relume COMMAND --help)", int(relume::ErrorKind::input));
+  }
+  return action();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGINT, interrupted);
+  std::signal(SIGTERM, interrupted);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is an error of write(), with a sentence
+  try {
+    return run(argc, argv);
+  } catch (const relume::Error& error) {
+    return complain(error.what(), int(error.kind));
+  } catch (const std::bad_alloc&) {
+    return complain("not enough memory (--memory makes bands smaller)", int(relume::ErrorKind::memory));
+  } catch (const std::exception& error) {
+    return complain(std::string("a defect of ours: ") + error.what(), int(relume::ErrorKind::internal));
+  }
+}

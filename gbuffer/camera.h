@@ -1,0 +1,57 @@
+// The camera that a G-buffer was seen with: what shading needs of it, and where it came from.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gbuffer/window.h"
+
+namespace relume {
+
+struct Camera {
+  enum class Projection { perspective, orthographic };
+  Projection projection = Projection::perspective;
+  glm::dmat4 world_from_camera{1.0};  ///< columns: right, up, backward (the camera looks along its -z), eye. det < 0 in a left-handed world.
+  double vertical_fov = 0;            ///< degrees, of the display window; 0: not known (shading does not need it)
+  double height = 0;                  ///< orthographic: world units that the display window spans vertically; 0: not known
+  std::string source;                 ///< for people: "worldToCamera of part 0", "recovered from Position", "rig.gltf"
+  double residual = -1;               ///< median reprojection error in pixels, where it was measured; else negative
+
+  glm::dvec3 eye() const { return glm::dvec3(world_from_camera[3]); }
+  /// The direction from the scene to the viewer (world), the same for all pixels of an orthographic camera; unit length.
+  glm::dvec3 backward() const;
+};
+
+/// A pixel's centre in display-window coordinates (x right, y down, pixel (0,0) has its centre at 0.5, 0.5) and its surface point.
+struct Sighting {
+  double x, y;
+  glm::dvec3 position;
+};
+
+/// Finds the camera that sees each position at its pixel: perspective (also off-centre, non-square) or orthographic, by direct linear
+/// transform with normalisation (Hartley and Zisserman 2004, ch. 7), least squares through Eigen.
+/// Empty where the positions do not determine one (fewer than 8, all in one plane, residual above `max_residual` px).
+std::optional<Camera> recover_camera(const std::vector<Sighting>& sightings, const Window& display, double max_residual = 1.0);
+
+/// The same, with the reason where there is no camera ("all positions lie in one plane").
+struct Recovery {
+  std::optional<Camera> camera;
+  std::string why_not;
+};
+Recovery recover(const std::vector<Sighting>& sightings, const Window& display, double max_residual = 1.0);
+
+/// How well a camera's place and axes explain the sightings, whatever its field of view and lens shift.
+struct PoseFit {
+  double residual;            ///< median reprojection error in pixels after the best scale and offset of each image axis; infinite: it looks the other way
+  double centre_x, centre_y;  ///< where the optical axis meets the image, pixels
+  double scale_y;             ///< pixels a unit of the tangent down the image; orthographic: pixels a world unit
+};
+PoseFit fit_pose(const Camera& camera, const std::vector<Sighting>& sightings);
+
+/// The field of view or height that the fit found; 0 where the axis is not at the window's centre.
+void set_extent(Camera& camera, const PoseFit& fit, const Window& display);
+
+}  // namespace relume

@@ -1,0 +1,128 @@
+// Coverage and ids of anti-aliased layers.
+#include "gbuffer/edges.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+
+namespace relume {
+namespace {
+
+constexpr int reach = 3;                    // pixels: filters rarely reach further than 2
+constexpr double covers_nothing = 1e-4;     // gaussian tails leak 1e-11 into their surroundings
+constexpr double whole_id = 1e-3;           // relative: what single precision and rounding of weights leave of a whole number
+
+Window grown(const Window& window, const Window& limit) {
+  return {std::max(window.min_x - reach, limit.min_x), std::max(window.min_y - reach, limit.min_y), std::min(window.max_x + reach, limit.max_x),
+          std::min(window.max_y + reach, limit.max_y)};
+}
+
+/// The layers that tell, over the window and its surroundings.
+struct Neighbourhood {
+  Window window;
+  std::vector<float> normals, ids, alpha;  // ids and alpha: empty where the file has none
+
+  Neighbourhood(const ExrFile& file, const Reading& reading, const Window& asked) : window(grown(asked, reading.data_window)) {
+    read(file, reading, "normal", normals);
+    read(file, reading, "ids", ids);
+    read(file, reading, "coverage", alpha);
+    if (reading.normal_encoding == NormalEncoding::as_unsigned)
+      for (float& v : normals) v = v == 0 ? 0 : 2 * v - 1;
+  }
+
+  void read(const ExrFile& file, const Reading& reading, const char* role, std::vector<float>& to) const {
+    const auto found = reading.roles.find(role);
+    if (found == reading.roles.end()) return;
+    const auto& channels = found->second.channels;
+    const std::size_t step = channels.size() * sizeof(float);
+    to.resize(std::size_t(window.pixels()) * channels.size());
+    std::vector<Destination> destinations;
+    for (std::size_t c = 0; c < channels.size(); ++c)
+      destinations.push_back({channels[c], SampleType::float32, to.data() + c, step, step * std::size_t(window.width())});
+    file.read(found->second.part, window, destinations);
+  }
+
+  std::size_t index(int x, int y) const { return std::size_t(y - window.min_y) * std::size_t(window.width()) + std::size_t(x - window.min_x); }
+  bool inside(int x, int y) const { return x >= window.min_x && x < window.max_x && y >= window.min_y && y < window.max_y; }
+  glm::dvec3 normal(std::size_t i) const { return {normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]}; }
+
+  bool empty(std::size_t i) const { return !(glm::length(normal(i)) >= covers_nothing); }
+
+  /// One surface alone: a mean of several has a short normal or a broken id.
+  bool unmixed(std::size_t i) const {
+    if (!(std::abs(glm::length(normal(i)) - 1) < 0.01)) return false;
+    if (!alpha.empty() && alpha[i] < 0.999f) return false;
+    return ids.empty() || std::abs(ids[i] - std::round(ids[i])) <= whole_id * std::max(1.0f, std::round(ids[i]));
+  }
+};
+
+struct Pixel {
+  int x, y;
+};
+
+struct Surroundings {
+  std::optional<std::size_t> like;  ///< the unmixed pixel that it belongs with
+  bool background = false;          ///< some pixel near shows no surface
+};
+
+Surroundings around(const Neighbourhood& n, Pixel at) {
+  const glm::dvec3 own = n.normal(n.index(at.x, at.y)), direction = own / std::max(glm::length(own), 1e-30);
+  Surroundings result;
+  double best = 1e300;
+  for (int y = at.y - reach; y <= at.y + reach; ++y) {
+    for (int x = at.x - reach; x <= at.x + reach; ++x) {
+      if (!n.inside(x, y)) continue;
+      const std::size_t i = n.index(x, y);
+      result.background |= n.empty(i);
+      const int away = (x - at.x) * (x - at.x) + (y - at.y) * (y - at.y);
+      if (away > reach * reach || !n.unmixed(i)) continue;
+      // A right angle between normals counts as much as 3 pixels of distance.
+      const double score = away + 9 * (1 - glm::dot(direction, glm::normalize(n.normal(i))));
+      if (score < best) best = score, result.like = i;
+    }
+  }
+  return result;
+}
+
+double estimated_coverage(const Neighbourhood& n, std::size_t i, const Surroundings& near) {
+  if (!near.background) return 1;
+  const double length = std::min(1.0, glm::length(n.normal(i)));
+  if (n.ids.empty() || !near.like || !(n.ids[*near.like] > 0)) return length;
+  const double share = n.ids[i] / std::round(n.ids[*near.like]);
+  return std::abs(share - length) < 0.1 ? std::min(1.0, share) : length;  // a third object in the mix makes the share a coincidence
+}
+
+std::uint32_t whole(double id) { return id > 0 && id < 4294967295.0 ? std::uint32_t(std::llround(id)) : 0; }
+
+void mend(const Neighbourhood& n, Pixel at, std::size_t out, Edges& edges) {
+  const std::size_t i = n.index(at.x, at.y);
+  const double alpha = n.alpha.empty() ? 1 : n.alpha[i];
+  if (n.empty(i) || n.unmixed(i)) {
+    edges.coverage[out] = n.empty(i) ? 0 : float(alpha);
+    if (!n.ids.empty()) edges.ids[out] = whole(n.ids[i]);
+    return;
+  }
+  const Surroundings near = around(n, at);
+  const double coverage = n.alpha.empty() ? estimated_coverage(n, i, near) : std::clamp(alpha, 0.0, 1.0);
+  edges.coverage[out] = coverage < covers_nothing ? 0 : float(coverage);
+  if (!n.ids.empty()) edges.ids[out] = near.like ? whole(n.ids[*near.like]) : whole(n.ids[i] / std::max(coverage, covers_nothing));
+}
+
+}  // namespace
+
+Edges mend_edges(const ExrFile& file, const Reading& reading, const Window& window) {
+  const Neighbourhood neighbourhood(file, reading, window);
+  Edges edges{std::vector<float>(std::size_t(window.pixels())), {}};
+  if (!neighbourhood.ids.empty()) edges.ids.resize(std::size_t(window.pixels()));
+  tbb::parallel_for(window.min_y, window.max_y, [&](int y) {
+    std::size_t out = std::size_t(y - window.min_y) * std::size_t(window.width());
+    for (int x = window.min_x; x < window.max_x; ++x) mend(neighbourhood, {x, y}, out++, edges);
+  });
+  return edges;
+}
+
+}  // namespace relume

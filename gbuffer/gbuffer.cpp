@@ -1,0 +1,229 @@
+// From layers as stored to a band made plain.
+#include "gbuffer/gbuffer.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <set>
+
+#include "gbuffer/edges.h"
+#include "gbuffer/error.h"
+
+namespace relume {
+namespace {
+
+using glm::dvec3;
+
+/// Layers that are read but not kept.
+struct Loose {
+  std::vector<float> depth, tangent;
+  std::vector<std::uint32_t> ids;
+  std::vector<float> coverage;
+};
+
+struct Request {
+  std::map<int, std::vector<Destination>> by_part;
+  int width = 0;
+
+  void add(const RoleLayer& layer, std::size_t component, void* to, std::size_t step, SampleType type = SampleType::float32) {
+    by_part[layer.part].push_back({layer.channels[component], type, to, step, step * std::size_t(width)});
+  }
+  void read(const ExrFile& file, const Window& window) const {
+    for (const auto& [part, destinations] : by_part) file.read(part, window, destinations);
+  }
+};
+
+PlaneRange add_planes(GBuffer& g, Request& request, const RoleLayer& layer) {
+  const int count = int(layer.channels.size());
+  const PlaneRange range{g.planes.add(count), count};
+  for (int c = 0; c < count; ++c) request.add(layer, std::size_t(c), g.planes.plane(range.first + c), sizeof(float));
+  return range;
+}
+
+const RoleLayer& layer_of(const ExrFile& file, const Reading& reading, const std::string& role) {
+  const auto found = reading.roles.find(role);
+  if (found == reading.roles.end()) throw Error(ErrorKind::input, file.path().string() + ": no layer for " + role + " (--map " + role + "=LAYER names one)");
+  return found->second;
+}
+
+bool has(const Reading& reading, const std::string& role) { return reading.roles.contains(role); }
+
+/// Ids are wanted by the caller or by rules that hold for some objects only.
+bool ids_needed(const Reading& reading, const std::vector<std::string>& roles) {
+  return std::find(roles.begin(), roles.end(), "ids") != roles.end() || (has(reading, "ids") && !(reading.tangent_ids.empty() && reading.bumped_ids.empty()));
+}
+
+/// Whole numbers stay exact; means over a filter are mended.
+void read_ids(const ExrFile& file, const Reading& reading, const Window& window, Loose& loose) {
+  const RoleLayer& layer = layer_of(file, reading, "ids");
+  if (layer.types.front() == SampleType::uint32) {
+    loose.ids.resize(std::size_t(window.pixels()));
+    Request request{{}, window.width()};
+    request.add(layer, 0, loose.ids.data(), sizeof(std::uint32_t), SampleType::uint32);
+    request.read(file, window);
+  } else if (loose.ids.empty()) {
+    loose.ids = mend_edges(file, reading, window).ids;
+  }
+}
+
+/// Turns one pixel after another into what GBuffer promises.
+class Finisher {
+ public:
+  struct Count {
+    std::int64_t surface = 0, bad = 0, partial = 0;
+  };
+
+  Finisher(GBuffer& g, const Reading& reading, const Loose& loose)
+      : g_(g), reading_(reading), loose_(loose), tangent_ids_(reading.tangent_ids.begin(), reading.tangent_ids.end()),
+        bumped_ids_(reading.bumped_ids.begin(), reading.bumped_ids.end()) {
+    if (reading.camera) world_from_layer_ = reading.camera->world_from_camera;
+    if (reading.camera_z_forward) world_from_layer_[2] *= -1.0;
+  }
+
+  Count finish(std::size_t begin, std::size_t end) const {
+    Count count;
+    for (std::size_t i = begin; i < end; ++i) finish_pixel(i, count);
+    return count;
+  }
+
+ private:
+  dvec3 get(const PlaneRange& range, std::size_t i) const {
+    return {g_.planes.plane(range.first)[i], g_.planes.plane(range.first + 1)[i], g_.planes.plane(range.first + 2)[i]};
+  }
+  void put(const PlaneRange& range, std::size_t i, const dvec3& v) const {
+    for (int c = 0; c < 3; ++c) g_.planes.plane(range.first + c)[i] = float(v[c]);
+  }
+  static bool finite(const dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+  bool concerns(const std::set<std::uint32_t>& ids, std::size_t i) const { return ids.empty() || (!loose_.ids.empty() && ids.contains(loose_.ids[i])); }
+
+  dvec3 decoded(const dvec3& n) const {
+    return reading_.normal_encoding == NormalEncoding::as_signed || n == dvec3(0) ? n : 2.0 * n - 1.0;
+  }
+  dvec3 unit_in_world(const dvec3& n) const {
+    constexpr double no_direction = 1e-6;  // less than the smallest half float is rounding, or a filter's tail
+    const double length = glm::length(n);
+    if (!(length > no_direction)) return dvec3(0);
+    return reading_.normal_space == Space::camera ? glm::normalize(glm::dmat3(world_from_layer_) * (n / length)) : n / length;
+  }
+
+  void finish_pixel(std::size_t i, Count& count) const {
+    const dvec3 stored = decoded(get(g_.normal, i));
+    dvec3 position = get(g_.position, i);
+    const double coverage = loose_.coverage.empty() ? 1 : loose_.coverage[i];
+    const bool bad = !finite(stored) || !finite(position);
+    count.bad += bad;
+    const dvec3 normal = bad ? dvec3(0) : unit_in_world(stored);
+    const bool far = !loose_.depth.empty() && !(std::abs(loose_.depth[i]) < reading_.background_depth);
+    if (normal == dvec3(0) || far || !(coverage > 0)) return finish_empty(i);
+    if (reading_.position_premultiplied) position /= coverage;
+    if (reading_.position_space == Space::camera) position = dvec3(world_from_layer_ * glm::dvec4(position, 1));
+    put(g_.position, i, position);
+    finish_normals(i, normal);
+    finish_roles(i, reading_.position_premultiplied ? 1 / coverage : 1);
+    g_.planes.plane(g_.coverage.first)[i] = float(coverage);
+    ++count.surface;
+    count.partial += coverage < 1;
+  }
+
+  void finish_normals(std::size_t i, const dvec3& normal) const {
+    const dvec3 base = g_.base_normal.count ? unit_in_world(decoded(get(g_.base_normal, i))) : dvec3(0);
+    const bool usable = finite(base) && base != dvec3(0);
+    dvec3 shading = normal;
+    if (usable && !loose_.tangent.empty() && concerns(tangent_ids_, i)) shading = from_tangent_frame(normal, base, i);
+    put(g_.normal, i, shading);
+    if (g_.base_normal.count) put(g_.base_normal, i, usable && concerns(bumped_ids_, i) ? base : shading);
+  }
+
+  /// n' = s x + t y + n z with s along dp_du made perpendicular to n and t = n x s (research: mitsuba-truth).
+  dvec3 from_tangent_frame(const dvec3& local, const dvec3& n, std::size_t i) const {
+    const dvec3 dp_du{loose_.tangent[3 * i], loose_.tangent[3 * i + 1], loose_.tangent[3 * i + 2]}, along = dp_du - n * glm::dot(n, dp_du);
+    if (!(glm::length(along) > 0)) return n;
+    const dvec3 s = glm::normalize(along);
+    return glm::normalize(s * local.x + glm::cross(n, s) * local.y + n * local.z);
+  }
+
+  void finish_roles(std::size_t i, double factor) const {
+    for (const auto& [role, range] : g_.roles) {
+      if (role == "coverage") continue;
+      for (int c = 0; c < range.count; ++c) {
+        float& value = g_.planes.plane(range.first + c)[i];
+        value = std::isfinite(value) ? float(value * factor) : 0;
+      }
+    }
+  }
+
+  void finish_empty(std::size_t i) const {
+    put(g_.position, i, dvec3(0));
+    put(g_.normal, i, dvec3(0));
+    if (g_.base_normal.count) put(g_.base_normal, i, dvec3(0));
+    finish_roles(i, 0);
+    g_.planes.plane(g_.coverage.first)[i] = 0;
+  }
+
+  GBuffer& g_;
+  const Reading& reading_;
+  const Loose& loose_;
+  const std::set<std::uint32_t> tangent_ids_, bumped_ids_;
+  glm::dmat4 world_from_layer_{1.0};
+};
+
+Loose read_layers(const ExrFile& file, const Reading& reading, const std::vector<std::string>& roles, GBuffer& g) {
+  Request request{{}, g.window.width()};
+  Loose loose;
+  g.position = add_planes(g, request, layer_of(file, reading, "position"));
+  g.normal = add_planes(g, request, layer_of(file, reading, "normal"));
+  if (has(reading, "base_normal")) g.base_normal = add_planes(g, request, reading.roles.at("base_normal"));
+  g.coverage = {g.planes.add(1), 1};
+  for (const std::string& role : roles)
+    if (role != "ids" && !g.roles.contains(role)) g.roles[role] = add_planes(g, request, layer_of(file, reading, role));
+  if (has(reading, "depth")) {
+    loose.depth.resize(std::size_t(g.window.pixels()));
+    request.add(reading.roles.at("depth"), 0, loose.depth.data(), sizeof(float));
+  }
+  if (reading.normal_in_tangent_frame && has(reading, "tangent")) {
+    loose.tangent.resize(std::size_t(g.window.pixels()) * 3);
+    for (std::size_t c = 0; c < 3; ++c) request.add(reading.roles.at("tangent"), c, loose.tangent.data() + c, 3 * sizeof(float));
+  }
+  request.read(file, g.window);
+  if (reading.position_premultiplied) {
+    Edges edges = mend_edges(file, reading, g.window);
+    loose.coverage = std::move(edges.coverage);
+    loose.ids = std::move(edges.ids);
+  }
+  if (ids_needed(reading, roles)) read_ids(file, reading, g.window, loose);
+  return loose;
+}
+
+int planes_needed(const ExrFile& file, const Reading& reading, const std::vector<std::string>& roles) {
+  int count = 3 + 3 + 3 + 1;
+  for (const std::string& role : roles) count += int(layer_of(file, reading, role).channels.size());
+  return count;
+}
+
+}  // namespace
+
+GBuffer read_gbuffer(const ExrFile& file, const Reading& reading, const Window& window, const std::vector<std::string>& roles, int spare_planes) {
+  GBuffer g{window, Planes(std::size_t(window.pixels()), planes_needed(file, reading, roles) + spare_planes), {}, {}, {}, {}, false, {}, {}, 0, 0};
+  Loose loose = read_layers(file, reading, roles, g);
+  const Finisher finisher(g, reading, loose);
+  constexpr std::size_t grain = 1 << 14;  // pixels: a third of a millisecond of work
+  const Finisher::Count count = tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, std::size_t(window.pixels()), grain), Finisher::Count{},
+      [&](const auto& range, const Finisher::Count& before) {
+        const Finisher::Count here = finisher.finish(range.begin(), range.end());
+        return Finisher::Count{before.surface + here.surface, before.bad + here.bad, before.partial + here.partial};
+      },
+      [](const Finisher::Count& a, const Finisher::Count& b) { return Finisher::Count{a.surface + b.surface, a.bad + b.bad, a.partial + b.partial}; });
+  g.surface_pixels = count.surface;
+  g.bad_pixels = count.bad;
+  g.fractional_coverage = count.partial > 0;
+  if (std::find(roles.begin(), roles.end(), "ids") != roles.end()) g.ids = std::move(loose.ids);
+  return g;
+}
+
+}  // namespace relume

@@ -1,0 +1,109 @@
+// How a file is to be read: which layer plays which role, in which space and encoding, on what evidence. `inspect` prints it, `shade` obeys it.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gbuffer/camera.h"
+#include "gbuffer/layers.h"
+
+namespace relume {
+
+struct Convention;
+
+enum class Space { world, camera };
+enum class NormalEncoding { as_signed, as_unsigned };  ///< -1..1, or 0..1 for -1..1
+
+/// What happens where a normal points away from the viewer.
+enum class Facing {
+  as_stored,  ///< diffuse follows n.l alone, specular needs n.v > 0 (Cycles, and where nothing is known)
+  one_sided,  ///< black from behind (Mitsuba)
+  two_sided   ///< turned to the viewer (pbrt; a material's "twosided")
+};
+
+/// How a shading normal that differs from the surface's own is kept from leaking light.
+enum class BumpShadowing {
+  none,
+  horizon,  ///< no light from below the base normal
+  smith     ///< that, and Smith's G1 of a GGX as wide as the tilt (Estevez et al. 2019, "A Microfacet-Based Shadowing Function ...")
+};
+
+/// A layer chosen for a role, by its channels: three for a direction or colour, one for a number.
+struct RoleLayer {
+  int part = 0;
+  std::string layer;                  ///< as a person would write it for --map
+  std::vector<std::string> channels;  ///< full channel names, in component order
+  std::vector<SampleType> types;
+};
+
+/// Roles: "position", "normal", "base_normal" (geometric), "tangent" (dp_du), "depth", "coverage" (alpha), "ids", "uv", and any parameter of a
+/// lobe: "albedo", "roughness", "base_color", "glossy_albedo", ...
+struct Reading {
+  std::string convention;  ///< a name of conventions()
+  std::string evidence;    ///< why this convention: "header attribute generatedBy = \"Mitsuba version 3.9.1\""
+  std::map<std::string, RoleLayer> roles;
+  std::map<std::string, std::string> looked_for;  ///< the names tried for each role, for the message where none was found
+  std::string view_layer, view;  ///< those chosen, where the file has them
+  int part = 0;  ///< whose windows and attributes the output takes: the part of `position`
+  Window data_window, display_window;
+  double pixel_aspect = 1;
+  Space position_space = Space::world, normal_space = Space::world;
+  NormalEncoding normal_encoding = NormalEncoding::as_signed;
+  bool camera_z_forward = false;         ///< layers in camera space: z points into the scene (pbrt, 3Delight), not out of it
+  bool normal_in_tangent_frame = false;  ///< Mitsuba 3.9's bumpmap: n = s x + t y + base z (research: mitsuba-truth)
+  std::vector<std::uint32_t> tangent_ids, bumped_ids;  ///< object ids that the tangent frame, and base normals, concern; empty: all
+  bool position_premultiplied = false;   ///< position is a mean over the pixel including misses as 0: divide by coverage, and so is every other layer
+  bool colour_premultiplied = false;     ///< albedo and other colours carry coverage, so radiance needs no factor of its own
+  double background_depth = 1e9;         ///< depth at or beyond this, or no normal, shows no surface
+  Facing facing = Facing::as_stored;
+  BumpShadowing bump_shadowing = BumpShadowing::none;
+  std::string default_diffuse = "lambert", default_specular = "ggx";  ///< what --diffuse/--specular auto mean for this file
+  std::optional<Camera> camera;
+  std::vector<std::string> notes;  ///< one sentence each: what was found out from the data and how sure, what was assumed, how to overrule it
+};
+
+/// What the user said of the file; empty means "find out".
+struct ReadingOptions {
+  std::string convention;
+  std::optional<int> part;
+  std::string view_layer, view;
+  std::map<std::string, std::string> map;  ///< role -> layer
+  std::optional<Space> normal_space, position_space;
+  std::optional<NormalEncoding> normal_encoding;
+  std::optional<Facing> facing;
+  std::optional<BumpShadowing> bump_shadowing;
+  std::optional<Camera> camera;  ///< from a rig, a glTF or another file: wins over the header's; nullopt: header, else recovered
+  bool recover_camera = false;   ///< --camera auto: recover from positions even where the header has one
+};
+
+/// Understands a file. Throws Error{input} when a needed role is missing ("no normal layer (looked for N, Normal, ...; --map normal=LAYER names one)").
+Reading understand(const ExrFile& file, const ReadingOptions& options);
+
+/// The layer that a person means by `name` (for --map and "layer:NAME"): exact, else without regard to case, spaces, '_' and '-', with or without the
+/// view layer; among those of the chosen view layer and view. Throws Error{input} that lists the layers there are.
+RoleLayer find_layer(const ExrFile& file, const Reading& reading, const std::string& name);
+
+/// The convention that options name, or else the first that recognises the file.
+const Convention& convention_of(const ExrFile& file, const ReadingOptions& options);
+
+/// One renderer's way of writing: a file in gbuffer/conventions/ and a line in its list.
+struct Convention {
+  const char* name;    ///< "mitsuba"
+  const char* title;   ///< "Mitsuba 3, aov integrator"
+  const char* source;  ///< where its facts come from
+  /// The evidence that this convention wrote the file, or empty.
+  std::string (*recognise)(const ExrFile& file, const std::vector<Layer>& layers);
+  /// Fills roles, spaces and defaults from names and header alone. `layers` are those of the chosen part, view layer and view.
+  void (*assign)(const ExrFile& file, const std::vector<Layer>& layers, Reading& reading);
+  /// Settles from the data, before a camera is sought, what the names do not say of the spaces (pbrt's planes); may be null. After --map and options.
+  void (*settle_space)(const ExrFile& file, const ReadingOptions& options, Reading& reading);
+  /// Settles the rest, with the camera known if there is one (Mitsuba's bump frame); may be null.
+  void (*settle)(const ExrFile& file, const ReadingOptions& options, Reading& reading);
+};
+
+const std::vector<Convention>& conventions();
+
+}  // namespace relume

@@ -1,0 +1,88 @@
+// Layers put to roles.
+#include "gbuffer/role_layers.h"
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+
+namespace relume {
+namespace {
+
+void add(RoleLayer& role, const Component* component) {
+  role.channels.push_back(component->channel);
+  role.types.push_back(component->type);
+}
+
+/// The first of these components that there is; '0' stands for a bare channel.
+bool add_first(RoleLayer& role, const Layer& layer, std::string_view letters) {
+  for (const char letter : letters) {
+    if (const Component* const component = layer.component(letter == '0' ? '\0' : letter)) {
+      add(role, component);
+      return true;
+    }
+  }
+  return false;
+}
+
+bool add_all(RoleLayer& role, const Layer& layer, std::string_view letters) {
+  if (!std::all_of(letters.begin(), letters.end(), [&](char c) { return layer.component(c); })) return false;
+  for (const char letter : letters) add(role, layer.component(letter));
+  return true;
+}
+
+}  // namespace
+
+RoleLayer as_role(const Layer& layer, const std::string& role) {
+  static const std::set<std::string> vectors{"position", "normal",     "base_normal", "tangent", "albedo", "base_color", "glossy_albedo",
+                                             "f0",       "f90",        "kd",          "ks",      "eta",    "k"};
+  static const std::set<std::string> numbers{"depth",     "ids",      "primitive_ids",  "roughness", "alpha",       "metallic",  "exponent",        "ior",
+                                             "sigma",     "sigma_r",  "specular_level", "sheen",     "sheen_tint",  "spec_tint", "clearcoat",       "clearcoat_gloss",
+                                             "flatness",  "nonlinear", "diffuse_roughness"};
+  constexpr std::string_view any_number = "0itzxruyvgb";
+  RoleLayer result{layer.part, display_name(layer, false), {}, {}};
+  if (role == "coverage") {
+    add_first(result, layer, "a0xriz");
+  } else if (role == "uv") {
+    add_all(result, layer, "uv") || add_all(result, layer, "xy") || add_all(result, layer, "rg");
+  } else if (numbers.contains(role)) {
+    add_first(result, layer, any_number);
+  } else if (!add_all(result, layer, "xyz") && !add_all(result, layer, "rgb") && !vectors.contains(role)) {
+    add_all(result, layer, "uv") || add_first(result, layer, any_number);
+  }
+  return result;
+}
+
+void assign(Reading& reading, const std::vector<Layer>& layers, const std::string& role, std::initializer_list<const char*> names) {
+  std::string& tried = reading.looked_for[role];
+  for (const char* name : names) tried += (tried.empty() ? "" : ", ") + std::string(name);
+  for (const char* name : names) {
+    for (const Layer& layer : layers) {
+      if (reading.roles.contains(role)) return;
+      if (normalised(layer.name) != normalised(name)) continue;
+      RoleLayer candidate = as_role(layer, role);
+      if (!candidate.channels.empty()) reading.roles[role] = std::move(candidate);
+    }
+  }
+}
+
+std::vector<Layer> chosen_layers(const std::vector<Layer>& layers, const std::string& view_layer, const std::string& view) {
+  std::vector<Layer> chosen;
+  std::set<std::string> seen;
+  const auto wanted = [&](const Layer& layer) { return layer.view_layer.empty() || layer.view_layer == view_layer; };
+  for (const Layer& layer : layers) {
+    if (!wanted(layer) || layer.view != view) continue;
+    chosen.push_back(layer);
+    seen.insert(layer.name);
+  }
+  if (view.empty()) return chosen;
+  for (const Layer& layer : layers)  // OpenEXR names no view where it is the default one
+    if (wanted(layer) && layer.view.empty() && !seen.contains(layer.name)) chosen.push_back(layer);
+  return chosen;
+}
+
+std::string display_name(const Layer& layer, bool with_view_layer) {
+  const std::string name = layer.name.empty() ? "RGBA" : layer.name;
+  return with_view_layer && !layer.view_layer.empty() ? layer.view_layer + '.' + name : name;
+}
+
+}  // namespace relume

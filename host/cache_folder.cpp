@@ -1,0 +1,68 @@
+// cache_folder: found, made or replaced by a temporary one, and handed to PoCL.
+#include "host/cache_folder.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <mutex>
+#include <optional>
+#include <string>
+
+namespace relume {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_private(const fs::path& folder) {
+  struct stat status;
+  return lstat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) && status.st_uid == geteuid() && (status.st_mode & 077) == 0 &&
+         access(folder.c_str(), W_OK) == 0;
+}
+
+std::optional<fs::path> user_cache() {
+  const char* base = std::getenv("XDG_CACHE_HOME");
+  const char* home = std::getenv("HOME");
+  if (!(base && *base == '/') && !(home && *home == '/')) return {};
+  const fs::path parent = base && *base == '/' ? fs::path(base) : fs::path(home) / ".cache";
+  const fs::path folder = parent / "relume";
+  std::error_code ignored;
+  fs::create_directories(parent, ignored);
+  mkdir(folder.c_str(), 0700);
+  if (!is_private(folder)) return {};
+  return folder;
+}
+
+/// Removed when the program ends: what was compiled is lost, nothing else is.
+struct TemporaryFolder {
+  fs::path path;
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    if (!path.empty()) fs::remove_all(path, ignored);
+  }
+};
+
+}  // namespace
+
+const fs::path& cache_folder() {
+  static TemporaryFolder temporary;
+  static const fs::path folder = [] {
+    if (const auto found = user_cache()) return *found;
+    std::string name = (fs::temp_directory_path() / "relume-XXXXXX").string();
+    if (const char* made = mkdtemp(name.data())) temporary.path = made;
+    return temporary.path;
+  }();
+  return folder;
+}
+
+void prepare_driver_caches() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    if (std::getenv("POCL_CACHE_DIR")) return;
+    const fs::path folder = cache_folder() / "pocl";
+    mkdir(folder.c_str(), 0700);
+    if (is_private(folder)) setenv("POCL_CACHE_DIR", folder.c_str(), 0);
+  });
+}
+
+}  // namespace relume

@@ -1,0 +1,65 @@
+// A device that shades: an OpenCL device or the C++ twin, behind one face.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gbuffer/planes.h"
+#include "host/frame.h"
+
+namespace relume {
+
+struct DeviceInfo {
+  std::string name;      ///< "pthread-skylake-avx512-AMD EPYC", "twin"
+  std::string platform;  ///< "Portable Computing Language"
+  std::string vendor, version, driver;
+  bool is_cpu = false, is_gpu = false;
+  int lanes = 1;                     ///< RELUME_LANES its kernels are built with
+  bool correctly_rounded = false;    ///< divide and square root round correctly: results equal the twin's bit for bit
+  std::uint64_t memory = 0;          ///< bytes
+  std::uint64_t max_allocation = 0;  ///< bytes in one buffer
+  int index = -1;                    ///< position in list_devices()
+};
+
+/// What a band is shaded from and into; the memory stays the caller's and must outlive the Band.
+struct BandData {
+  const Planes* planes;
+  std::span<const LightRecord> lights;  ///< sorted by type
+  std::span<const float> tables;
+  Planes* out;
+};
+
+/// Called between slices of work with the pixels done since the last call; may throw to stop.
+using Progress = std::function<void(std::int64_t pixels)>;
+
+/// A band bound to a device: its memory is there, programs run over it.
+class Band {
+ public:
+  virtual ~Band() = default;
+  /// Shades the pixels whose program plane holds frame.program, with the lobes of `choice`.
+  virtual void shade(const Choice& choice, const Frame& frame, const Progress& progress) = 0;
+  /// Evaluates the lobes of `choice` for tabulated cosines (kernels/evaluate.h).
+  virtual void evaluate(const Choice& choice, const Frame& frame) = 0;
+  /// Makes the results visible in BandData::out.
+  virtual void finish() = 0;
+};
+
+class Device {
+ public:
+  virtual ~Device() = default;
+  virtual const DeviceInfo& info() const = 0;
+  virtual std::unique_ptr<Band> bind(const BandData& data) = 0;
+};
+
+/// Every OpenCL device of every platform; platforms without devices are passed over. Never throws for want of OpenCL.
+std::vector<DeviceInfo> list_devices();
+
+/// `selector`: empty (the best there is: GPU, else CPU, else the twin), "cpu", "gpu", "twin", an index, or part of a platform's or device's name.
+/// `lanes`: 0 for the device's own. Throws Error{device} that lists what was found.
+std::unique_ptr<Device> open_device(const std::string& selector, int lanes = 0);
+
+}  // namespace relume

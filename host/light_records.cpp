@@ -1,0 +1,70 @@
+// light_records: a stable sort by type, and the numbers in the form the kernels want.
+#include "host/light_records.h"
+
+#include <cmath>
+#include <glm/trigonometric.hpp>
+#include <optional>
+
+namespace relume {
+namespace {
+
+/// The kernel's number of a type; ambient has no record.
+std::optional<int> number_of(LightType type) {
+  switch (type) {
+    case LightType::directional:
+      return LIGHT_directional;
+    case LightType::point:
+      return LIGHT_point;
+    case LightType::spot:
+      return LIGHT_spot;
+    case LightType::ambient:
+      return {};
+  }
+  return {};
+}
+
+static_assert(int(Falloff::inverse_square) == FALLOFF_inverse_square && int(Falloff::windowed) == FALLOFF_windowed &&
+              int(Falloff::linear) == FALLOFF_linear && int(Falloff::none) == FALLOFF_none);
+static_assert(int(Cone::gltf) == CONE_gltf && int(Cone::smoothstep) == CONE_smoothstep && int(Cone::linear) == CONE_linear);
+
+LightRecord record_of(const Light& light) {
+  LightRecord r{};
+  for (int c = 0; c < 3; ++c) {
+    r.position[c] = float(light.position[c]);
+    r.intensity[c] = float(light.intensity[c]);
+    r.direction[c] = float(light.direction[c]);
+  }
+  r.range_begin = float(light.range_begin);
+  r.range = float(light.range);
+  r.falloff = int(light.falloff);
+  r.cone = int(light.cone);
+  const double inner = glm::radians(light.inner_angle), outer = glm::radians(light.outer_angle);
+  r.inner = float(light.cone == Cone::linear ? inner : std::cos(inner));
+  r.outer = float(light.cone == Cone::linear ? outer : std::cos(outer));
+  return r;
+}
+
+}  // namespace
+
+LightRecords light_records(const std::vector<Light>& lights) {
+  LightRecords result;
+  for (int type = 0; type < LIGHT_COUNT; ++type) {
+    result.begin[type] = int(result.records.size());
+    for (const Light& light : lights)
+      if (number_of(light.type) == type) {
+        result.records.push_back(record_of(light));
+        result.names.push_back(light.name);
+      }
+  }
+  result.begin[LIGHT_COUNT] = int(result.records.size());
+  for (const Light& light : lights)
+    if (light.type == LightType::ambient) {
+      if (light.fraction)
+        result.ambient_fraction += *light.fraction;
+      else
+        result.ambient += light.intensity;
+    }
+  return result;
+}
+
+}  // namespace relume

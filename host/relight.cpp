@@ -1,0 +1,332 @@
+// relight(): understand the file, bind materials, shade band by band, write.
+#include "host/relight.h"
+
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "gbuffer/error.h"
+#include "gbuffer/gbuffer.h"
+#include "gbuffer/picture.h"
+#include "host/binding.h"
+#include "host/camera_choice.h"
+#include "host/device.h"
+#include "host/light_records.h"
+#include "host/self_test.h"
+#include "host/twin.h"
+
+namespace relume {
+namespace {
+
+class Stopwatch {
+ public:
+  explicit Stopwatch(RelightSummary& summary) : summary_(summary) {}
+  /// Adds the time since the last call to a stage.
+  void lap(const std::string& stage) {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    auto& laps = summary_.seconds;
+    const auto found = std::find_if(laps.begin(), laps.end(), [&](const auto& lap) { return lap.first == stage; });
+    if (found == laps.end())
+      laps.emplace_back(stage, seconds);
+    else
+      found->second += seconds;
+  }
+
+ private:
+  RelightSummary& summary_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// The output's channels and the planes of a band that hold them: total R G B and alpha first, then the layers asked for.
+struct OutputLayout {
+  std::vector<std::string> channels{"R", "G", "B", "A"};
+  int diffuse = -1, specular = -1, ambient = -1, lights = -1;
+  static constexpr int total = 0, alpha = 3;
+
+  int planes() const { return int(channels.size()); }
+  int add_colour(const std::string& layer) {
+    const int first = planes();
+    for (const char* c : {".R", ".G", ".B"}) channels.push_back(layer + c);
+    return first;
+  }
+};
+
+OutputLayout layout_of(const RelightJob& job, const LightRecords& lights) {
+  OutputLayout layout;
+  if (job.diffuse_layer) layout.diffuse = layout.add_colour("diffuse");
+  if (job.specular_layer) layout.specular = layout.add_colour("specular");
+  if (job.ambient_layer || job.light_layers) layout.ambient = layout.add_colour("ambient");
+  if (job.light_layers)
+    for (std::size_t k = 0; k < lights.names.size(); ++k) {
+      const int first = layout.add_colour("light." + lights.names[k]);
+      if (k == 0) layout.lights = first;
+    }
+  return layout;
+}
+
+/// One relight in progress: what the stages share.
+class Relight {
+ public:
+  Relight(const RelightJob& job, const Observer& observer) : job_(job), observer_(observer), watch_(summary_), file_(job.gbuffer) {}
+
+  RelightSummary run() {
+    understand_all();
+    open();
+    shade_and_write();
+    summary_.pixel_lights_per_second = shading_seconds_ > 0 ? double(summary_.surface_pixels) * summary_.lights / shading_seconds_ : 0;
+    return std::move(summary_);
+  }
+
+ private:
+  void understand_all();
+  void open();
+  std::unique_ptr<Device> open_tested_device();
+  void shade_and_write();
+  void shade_band(GBuffer& gbuffer, Planes& out);
+  void shade_lights(Band& band, Frame frame, Planes& out);
+  void write_alpha(const GBuffer& gbuffer, Planes& out) const;
+  Frame frame_of(const GBuffer& gbuffer, const Planes& out) const;
+  glm::dvec3 mean_irradiance();
+  int band_rows() const;
+  GBuffer read_band(int first_row, int rows);
+  void keep_for_png(const Planes& out, const Window& band, Picture& picture) const;
+
+  void note(const std::string& text) { summary_.notes.push_back(text); }
+  void progress(const std::string& stage, double share) const {
+    if (observer_.progress) observer_.progress(stage, share);
+  }
+
+  const RelightJob& job_;
+  const Observer& observer_;
+  RelightSummary summary_;
+  Stopwatch watch_;
+  ExrFile file_;
+  Reading reading_;
+  Rig rig_;
+  LightRecords lights_;
+  std::optional<Binding> binding_;
+  std::vector<std::string> roles_;
+  OutputLayout layout_;
+  std::unique_ptr<Device> device_;
+  Window window_;
+  glm::dvec3 ambient_{0};
+  double shading_seconds_ = 0;
+};
+
+void Relight::understand_all() {
+  progress("read", 0);
+  ReadingOptions options = job_.reading;
+  RigOptions rig_options = job_.rig_options;
+  const std::string convention = convention_of(file_, options).name;
+  rig_options.convention = convention;
+  rig_options.world_is_z_up = convention == "blender";
+  std::vector<Rig> rigs;
+  for (const auto& path : job_.rigs) rigs.push_back(read_rig(path, rig_options));
+  rig_ = merge(std::move(rigs));
+  reading_ = understand_with_camera(file_, options, rig_.camera);
+  std::optional<MaterialFile> materials;
+  if (job_.materials) materials = read_materials(*job_.materials);
+  binding_.emplace(job_.material, materials, job_.gbuffer.string(), [this](const std::string& layer) { return find_layer(file_, reading_, layer); }, reading_);
+  lights_ = light_records(rig_.lights);
+  summary_.convention = reading_.convention;
+  summary_.lights = int(lights_.records.size());
+  summary_.programs = binding_->descriptions();
+  for (const std::vector<std::string>* notes : {&std::as_const(rig_.notes), &std::as_const(reading_.notes), &binding_->notes()}) summary_.notes.insert(summary_.notes.end(), notes->begin(), notes->end());
+  window_ = reading_.data_window;
+  if (job_.crop) {
+    window_ = {std::max(window_.min_x, job_.crop->min_x), std::max(window_.min_y, job_.crop->min_y), std::min(window_.max_x, job_.crop->max_x),
+               std::min(window_.max_y, job_.crop->max_y)};
+    if (window_.empty()) throw Error(ErrorKind::input, job_.gbuffer.string() + ": --crop lies outside the data window");
+  }
+  summary_.window = window_;
+  watch_.lap("understand");
+}
+
+std::unique_ptr<Device> Relight::open_tested_device() {
+  try {
+    std::unique_ptr<Device> device = open_device(job_.device);
+    if (device->info().name != "twin")
+      for (const Choice& program : binding_->programs()) self_test(*device, program);
+    return device;
+  } catch (const Error& error) {
+    if (!job_.device.empty() || error.kind != ErrorKind::device) throw;
+    note(std::string(error.what()) + "; shading on the C++ twin instead");
+    return open_twin();
+  }
+}
+
+void Relight::open() {
+  progress("compile", 0);
+  device_ = open_tested_device();
+  summary_.device = device_->info().name;
+  layout_ = layout_of(job_, lights_);
+  roles_ = binding_->roles();
+  if (reading_.roles.contains("coverage")) roles_.push_back("coverage");
+  watch_.lap("compile");
+}
+
+/// Rows of a band: planes in and out within the memory given, and each buffer within what the device takes.
+int Relight::band_rows() const {
+  const std::int64_t in = 3 + 3 + 3 + 1 + 1 + 3 * std::int64_t(roles_.size()) + binding_->spare_planes(), out = layout_.planes();
+  const std::int64_t largest = std::max(in, out), row = window_.width() * std::int64_t(sizeof(float));
+  const std::int64_t by_memory = job_.memory / ((in + out) * row), by_device = std::int64_t(device_->info().max_allocation / std::uint64_t(largest * row));
+  // Offsets into the planes are 32-bit ints.
+  const std::int64_t by_index = (std::int64_t(1) << 31) / (largest * window_.width()) - 1;
+  const std::int64_t rows = std::min({by_memory, by_device, by_index, std::int64_t(window_.height())});
+  if (rows < 1)
+    throw Error(ErrorKind::memory, job_.gbuffer.string() + ": one row needs " + std::to_string((in + out) * row) + " bytes of planes; --memory allows " +
+                                       std::to_string(job_.memory));
+  return int(rows);
+}
+
+GBuffer Relight::read_band(int first_row, int rows) {
+  const Window band{window_.min_x, first_row, window_.max_x, first_row + rows};
+  return read_gbuffer(file_, reading_, band, roles_, binding_->spare_planes());
+}
+
+Frame Relight::frame_of(const GBuffer& gbuffer, const Planes& out) const {
+  Frame frame{};
+  frame.pixels = int(gbuffer.window.pixels());
+  frame.plane_stride = int(gbuffer.planes.stride());
+  frame.position = gbuffer.position.first;
+  frame.normal = gbuffer.normal.first;
+  frame.base_normal = gbuffer.base_normal.count ? gbuffer.base_normal.first : -1;
+  frame.bump_shadowing = gbuffer.base_normal.count ? int(reading_.bump_shadowing) : int(BUMP_none);
+  const Camera& camera = *reading_.camera;
+  const bool orthographic = camera.projection == Camera::Projection::orthographic;
+  const glm::dvec3 viewer = orthographic ? camera.backward() : camera.eye();
+  for (int c = 0; c < 3; ++c) {
+    frame.viewer[c] = float(viewer[c]);
+    frame.ambient[c] = float(ambient_[c]);
+  }
+  frame.viewer[3] = orthographic ? 0.0f : 1.0f;
+  frame.ambient[3] = ambient_ == glm::dvec3(0) ? 0.0f : 1.0f;
+  frame.nodes = binding_->ambient_nodes_begin();
+  frame.node_count = binding_->ambient_node_count();
+  std::copy(lights_.begin.begin(), lights_.begin.end(), frame.light_begin);
+  frame.out_stride = int(out.stride());
+  frame.total = OutputLayout::total;
+  frame.diffuse = layout_.diffuse;
+  frame.specular = layout_.specular;
+  frame.ambient_out = layout_.ambient;
+  return frame;
+}
+
+void Relight::shade_band(GBuffer& gbuffer, Planes& out) {
+  Frame frame = frame_of(gbuffer, out);
+  binding_->bind(gbuffer, *reading_.camera, frame);
+  watch_.lap("bind");
+  const auto band = device_->bind({&gbuffer.planes, lights_.records, binding_->tables(), &out});
+  const double all = double(window_.pixels()) * double(binding_->programs().size());
+  const double before = double(gbuffer.window.min_y - window_.min_y) * window_.width() * double(binding_->programs().size());
+  double done = 0;
+  const Progress report = [&](std::int64_t pixels) { progress("shade", (before + (done += double(pixels))) / all); };
+  for (std::size_t p = 0; p < binding_->programs().size(); ++p) {
+    frame.program = int(p);
+    frame.width_rule = binding_->width_rule(int(p));
+    band->shade(binding_->programs()[p], frame, report);
+  }
+  if (layout_.lights >= 0) shade_lights(*band, frame, out);
+  band->finish();
+  watch_.lap("shade");
+}
+
+/// Each light alone, into its own layer.
+void Relight::shade_lights(Band& band, Frame frame, Planes&) {
+  frame.diffuse = frame.specular = frame.ambient_out = -1;
+  frame.ambient[3] = 0;
+  for (int k = 0; k < int(lights_.records.size()); ++k) {
+    for (int type = 0; type <= LIGHT_COUNT; ++type) frame.light_begin[type] = lights_.begin[type] <= k ? k : k + 1;
+    frame.total = layout_.lights + 3 * k;
+    for (std::size_t p = 0; p < binding_->programs().size(); ++p) {
+      frame.program = int(p);
+      frame.width_rule = binding_->width_rule(int(p));
+      band.shade(binding_->programs()[p], frame, [&](std::int64_t) { progress("shade", 1); });
+    }
+  }
+}
+
+/// The input's own alpha where it has one, else the coverage.
+void Relight::write_alpha(const GBuffer& gbuffer, Planes& out) const {
+  const auto stored = gbuffer.roles.find("coverage");
+  const PlaneRange from = stored != gbuffer.roles.end() && !gbuffer.fractional_coverage ? stored->second : gbuffer.coverage;
+  std::copy_n(gbuffer.planes.plane(from.first), gbuffer.window.pixels(), out.plane(OutputLayout::alpha));
+}
+
+/// The frame's mean direct diffuse irradiance: every surface shaded as Lambert with albedo pi.
+glm::dvec3 Relight::mean_irradiance() {
+  glm::dvec3 sum{0};
+  double surface = 0;
+  const int rows = band_rows();
+  for (int row = window_.min_y; row < window_.max_y; row += rows) {
+    GBuffer gbuffer = read_band(row, std::min(rows, window_.max_y - row));
+    Planes out(std::size_t(gbuffer.window.pixels()), 3);
+    out.add(3);
+    Frame frame = frame_of(gbuffer, out);
+    frame.diffuse = frame.specular = frame.ambient_out = -1;
+    frame.program = 0;
+    binding_->bind_irradiance(gbuffer, frame);
+    const auto band = device_->bind({&gbuffer.planes, lights_.records, binding_->tables(), &out});
+    band->shade({DIFFUSE_lambert, SPECULAR_none, 0, 0, 0}, frame, [&](std::int64_t) { progress("ambient", double(row - window_.min_y) / window_.height()); });
+    band->finish();
+    for (int c = 0; c < 3; ++c)
+      for (std::int64_t i = 0; i < gbuffer.window.pixels(); ++i) sum[c] += out.plane(c)[i];
+    surface += double(gbuffer.surface_pixels);
+  }
+  return surface > 0 ? sum / surface : sum;
+}
+
+void Relight::keep_for_png(const Planes& out, const Window& band, Picture& picture) const {
+  const std::int64_t begin = std::int64_t(band.min_y - window_.min_y) * window_.width();
+  for (std::int64_t i = 0; i < band.pixels(); ++i)
+    for (int c = 0; c < 4; ++c) picture.values[std::size_t(4 * (begin + i) + c)] = out.plane(c)[i];
+}
+
+void Relight::shade_and_write() {
+  ambient_ = lights_.ambient;
+  if (lights_.ambient_fraction != 0) ambient_ += lights_.ambient_fraction / std::numbers::pi * mean_irradiance();
+  const Part& part = file_.parts()[std::size_t(reading_.part)];
+  ExrWriter writer(job_.output, job_.format, part.header, window_, reading_.display_window, layout_.channels,
+                   {{"relume:gbuffer", job_.gbuffer.filename().string()}, {"relume:device", summary_.device}, {"relume:version", RELUME_VERSION}});
+  Picture picture;
+  if (job_.png) picture = {window_.width(), window_.height(), 4, std::vector<float>(std::size_t(window_.pixels()) * 4)};
+  const int rows = band_rows();
+  watch_.lap("prepare");
+  for (int row = window_.min_y; row < window_.max_y; row += rows) {
+    progress("read", double(row - window_.min_y) / window_.height());
+    GBuffer gbuffer = read_band(row, std::min(rows, window_.max_y - row));
+    watch_.lap("read");
+    summary_.surface_pixels += gbuffer.surface_pixels;
+    summary_.bad_pixels += gbuffer.bad_pixels;
+    ++summary_.bands;
+    Planes out(std::size_t(gbuffer.window.pixels()), layout_.planes());
+    out.add(layout_.planes());
+    shade_band(gbuffer, out);
+    write_alpha(gbuffer, out);
+    std::vector<Source> sources;
+    for (int p = 0; p < layout_.planes(); ++p)
+      sources.push_back({layout_.channels[std::size_t(p)], out.plane(p), sizeof(float), sizeof(float) * std::size_t(window_.width())});
+    progress("write", double(gbuffer.window.max_y - window_.min_y) / window_.height());
+    writer.write_rows(gbuffer.window.height(), sources);
+    if (job_.png) keep_for_png(out, gbuffer.window, picture);
+    watch_.lap("write");
+  }
+  for (const auto& [stage, seconds] : summary_.seconds)
+    if (stage == "shade") shading_seconds_ = seconds;
+  if (summary_.bad_pixels)
+    note(std::to_string(summary_.bad_pixels) + " pixels have a NaN or infinite position or normal: written as showing no surface");
+  writer.commit();
+  if (job_.png) write_png(*job_.png, picture, job_.exposure, job_.format.overwrite);
+  watch_.lap("write");
+}
+
+}  // namespace
+
+RelightSummary relight(const RelightJob& job, const Observer& observer) { return Relight(job, observer).run(); }
+
+}  // namespace relume

@@ -1,0 +1,56 @@
+// The public call: a stored G-buffer and a rig in, a relit image out. The command line calls it, and what comes later (a service) will too.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gbuffer/reading.h"
+#include "gbuffer/write_exr.h"
+#include "host/materials.h"
+#include "host/rig.h"
+
+namespace relume {
+
+struct RelightJob {
+  std::filesystem::path gbuffer, output;
+  std::vector<std::filesystem::path> rigs;
+  RigOptions rig_options;
+  ReadingOptions reading;                          ///< its `camera` is what --camera named
+  Material material;                               ///< --diffuse, --specular, --set
+  std::optional<std::filesystem::path> materials;  ///< a material file
+  bool diffuse_layer = false, specular_layer = false, ambient_layer = false, light_layers = false;
+  std::optional<Window> crop;  ///< display-window coordinates
+  OutputFormat format;
+  std::optional<std::filesystem::path> png;
+  double exposure = 0;  ///< stops, of the PNG alone
+  std::string device;   ///< empty: the best, falling back to the twin with a note
+  std::int64_t memory = std::int64_t(2) << 30;  ///< bytes for a band's planes; larger frames go through in bands
+};
+
+struct RelightSummary {
+  std::string device, convention;
+  Window window;
+  std::int64_t surface_pixels = 0, bad_pixels = 0;
+  int lights = 0;
+  int bands = 0;
+  std::vector<std::string> programs;
+  std::vector<std::pair<std::string, double>> seconds;  ///< stage -> wall clock, in order
+  double pixel_lights_per_second = 0;                   ///< surface pixels times lights over the time of shading
+  std::vector<std::string> notes;                       ///< what was assumed, warnings
+};
+
+/// What watches a job. advance() may throw to stop it: nothing is left behind.
+struct Observer {
+  std::function<void(const std::string& stage, double share)> progress;  ///< share of the stage done, 0..1
+};
+
+/// Throws Error; the output is whole or untouched.
+RelightSummary relight(const RelightJob& job, const Observer& observer);
+
+}  // namespace relume

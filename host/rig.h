@@ -1,0 +1,58 @@
+// Lights and camera as a rig file states them (FORMATS: "The rig file"); angles in degrees, intensities radiometric per channel.
+#pragma once
+
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gbuffer/camera.h"
+
+namespace relume {
+
+enum class LightType { directional, point, spot, ambient };
+enum class Falloff { inverse_square, windowed, linear, none };
+enum class Cone { gltf, smoothstep, linear };
+
+struct Light {
+  LightType type = LightType::point;
+  std::string name;  ///< given, or "<type><index>"
+  std::string group;
+  glm::dvec3 position{0};          ///< world
+  glm::dvec3 direction{0, 0, -1};  ///< the way the light travels, unit length
+  glm::dvec3 intensity{0};         ///< W/sr (point, spot), W/m^2 (directional), W/(m^2 sr) (ambient); `exposure` is already multiplied in
+  std::optional<double> fraction;  ///< ambient only: share of the frame's mean direct diffuse irradiance
+  Falloff falloff = Falloff::inverse_square;
+  double range_begin = 0, range = 0;  ///< world units; range 0 = unbounded
+  Cone cone = Cone::gltf;
+  double inner_angle = 0, outer_angle = 45;  ///< half-angles, degrees
+};
+
+struct Rig {
+  std::vector<Light> lights;  ///< enabled ones only
+  std::optional<Camera> camera;
+  std::vector<std::string> notes;  ///< what was assumed: units, axes, ranges
+};
+
+/// What a glTF rig does not say about itself (research: blender-truth). Unset: the default of the exporter that `asset.generator` names.
+struct RigOptions {
+  enum class Units { spec, compat, raw };
+  enum class Up { y, z };
+  std::optional<Units> units;
+  std::optional<Up> up;
+  std::optional<bool> obey_range;
+  /// The G-buffer's world has z up (a Blender file): a y-up glTF is turned back to it.
+  bool world_is_z_up = false;
+  /// The renderer of the G-buffer. A Blender-exported spot keeps Cycles' cone whatever it is: the rim that the artist saw.
+  std::string convention;
+};
+
+/// Reads JSON (strictly: unknown key, wrong type, not finite -> Error{input} naming file, line and key) or glTF/GLB, told apart by content.
+/// "-" reads JSON from standard input.
+Rig read_rig(const std::filesystem::path& file, const RigOptions& options);
+
+/// Lights of several rigs in order, camera of the first that has one.
+Rig merge(std::vector<Rig> rigs);
+
+}  // namespace relume

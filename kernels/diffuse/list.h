@@ -1,0 +1,18 @@
+// Every diffuse lobe, once. The kernel's choice, the JSON keys, --diffuse, help, docs and tests come from this list.
+// LOBE(name, parameters, shadowings, fresnels, distributions, claims, source): the file is diffuse/<name>.h, the function diffuse_<name>;
+// choices are separated by spaces, the default first; claims are the laws that tests hold it to: positive, reciprocal, conserving.
+#ifndef RELUME_DIFFUSE_LIST_H
+#define RELUME_DIFFUSE_LIST_H
+
+#define RELUME_DIFFUSE_LOBES(LOBE)                                                                                                         \
+  LOBE(lambert, "albedo", "", "", "", "positive reciprocal conserving", "Lambert 1760, Photometria")                                       \
+  LOBE(lambert_original, "kd", "", "", "", "positive reciprocal", "Lambert 1760 as lectures have it, without 1/pi")                        \
+  LOBE(oren_nayar, "albedo sigma", "", "", "", "positive reciprocal conserving", "Oren and Nayar 1994, Generalization of Lambert's Model") \
+  LOBE(eon, "albedo sigma_r", "", "", "", "positive reciprocal conserving", "Portsmouth, Kutz and Hill 2024, EON")                         \
+  LOBE(burley, "albedo roughness", "", "", "", "positive reciprocal", "Burley 2012, Physically-Based Shading at Disney")                   \
+  LOBE(plastic, "albedo ior alpha roughness nonlinear", "", "", "", "positive reciprocal", "Mitsuba 3, plastic and roughplastic")          \
+  LOBE(principled, "albedo roughness metallic flatness sheen sheen_tint", "", "", "", "positive reciprocal",                               \
+       "Burley 2012 and 2015 as in Mitsuba 3, principled")                                                                                 \
+  LOBE(cycles, "albedo diffuse_roughness", "", "", "", "positive reciprocal conserving", "Cycles; Fujii's Oren-Nayar with OpenPBR's energy term")
+
+#endif

@@ -1,0 +1,80 @@
+// The one file that knows that two languages read this folder: OpenCL C 1.2 and C++20.
+//
+// Kernels are written once over lanes: `real` is RELUME_LANES floats side by side (1, 4, 8 or 16), `real3` a struct of three reals, `integer`
+// as many ints, `mask` what a comparison of reals gives. The contract that makes PoCL and C++ agree to the last bit:
+//   1. exact operations only: + - * / comparisons, square_root, whole_below; no fma, dot, normalize, exp, pow, native_*: our own are in
+//      vector.h and math.h, spelt out so that both compilers round alike;
+//   2. contraction is off in both (the pragma below; -ffp-contract=off for the library);
+//   3. what crosses to the host is int and float in the structs of frame.h, never a vector type;
+//   4. choice is by `choose`, not by branches, wherever lanes may differ.
+#ifndef RELUME_LANGUAGE_H
+#define RELUME_LANGUAGE_H
+
+#ifndef RELUME_LANES
+#error "define RELUME_LANES as 1, 4, 8 or 16 before including a kernel"
+#endif
+
+#ifdef RELUME_OPENCL
+#pragma OPENCL FP_CONTRACT OFF
+
+#define RELUME_FN static inline
+#define RELUME_GLOBAL __global
+
+#if RELUME_LANES == 1
+typedef float real;
+typedef int integer;
+#define RELUME_AS_REAL(x) as_float(x)
+#define RELUME_AS_INTEGER(x) as_int(x)
+#define RELUME_TO_REAL(x) convert_float(x)
+#define RELUME_TO_INTEGER(x) convert_int(x)
+#define RELUME_LOAD(p) (*(p))
+#define RELUME_STORE(x, p) (*(p) = (x))
+#define RELUME_ANY(m) (m)
+#else
+#define RELUME_JOIN_(a, b) a##b
+#define RELUME_JOIN(a, b) RELUME_JOIN_(a, b)
+typedef RELUME_JOIN(float, RELUME_LANES) real;
+typedef RELUME_JOIN(int, RELUME_LANES) integer;
+#define RELUME_AS_REAL(x) RELUME_JOIN(as_float, RELUME_LANES)(x)
+#define RELUME_AS_INTEGER(x) RELUME_JOIN(as_int, RELUME_LANES)(x)
+#define RELUME_TO_REAL(x) RELUME_JOIN(convert_float, RELUME_LANES)(x)
+#define RELUME_TO_INTEGER(x) RELUME_JOIN(convert_int, RELUME_LANES)(x)
+#define RELUME_LOAD(p) RELUME_JOIN(vload, RELUME_LANES)(0, p)
+#define RELUME_STORE(x, p) RELUME_JOIN(vstore, RELUME_LANES)(x, 0, p)
+#define RELUME_ANY(m) any(m)
+#endif
+typedef integer mask;  // 1 or 0 in one lane, -1 or 0 in several: combine with & | !, test with any_of, use with choose
+
+/// `a` where the mask holds, else `b`.
+RELUME_FN real choose(mask m, real a, real b) { return select(b, a, m); }
+RELUME_FN integer choose_integer(mask m, integer a, integer b) { return select(b, a, m); }
+RELUME_FN real square_root(real x) { return sqrt(x); }
+RELUME_FN real whole_below(real x) { return floor(x); }
+RELUME_FN real absolute(real x) { return fabs(x); }
+RELUME_FN real as_real(integer x) { return RELUME_AS_REAL(x); }
+RELUME_FN integer as_integer(real x) { return RELUME_AS_INTEGER(x); }
+RELUME_FN real to_real(integer x) { return RELUME_TO_REAL(x); }
+/// Towards zero; the caller keeps x within int's range.
+RELUME_FN integer to_integer(real x) { return RELUME_TO_INTEGER(x); }
+RELUME_FN real all_lanes(float x) { return (real)(x); }
+RELUME_FN int any_of(mask m) { return RELUME_ANY(m); }
+RELUME_FN real load(RELUME_GLOBAL const float* p) { return RELUME_LOAD(p); }
+RELUME_FN void store(real x, RELUME_GLOBAL float* p) { RELUME_STORE(x, p); }
+/// table[index], lane by lane.
+RELUME_FN real gather(RELUME_GLOBAL const float* table, integer index) {
+#if RELUME_LANES == 1
+  return table[index];
+#else
+  int from[RELUME_LANES];
+  float to[RELUME_LANES];
+  RELUME_JOIN(vstore, RELUME_LANES)(index, 0, from);
+  for (int lane = 0; lane < RELUME_LANES; ++lane) to[lane] = table[from[lane]];
+  return RELUME_JOIN(vload, RELUME_LANES)(0, to);
+#endif
+}
+
+#else  // C++
+#include "kernels/native.h"
+#endif
+
+#endif

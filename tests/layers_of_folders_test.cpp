@@ -1,0 +1,59 @@
+// Includes point one way through the house: EXR -> gbuffer/ -> host/ -> kernels/ -> host/ -> gbuffer/ -> EXR (DESIGN.md). A folder knows only those below it.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::map<std::string, std::set<std::string>> may_include{
+    {"gbuffer", {"gbuffer"}},
+    {"kernels", {"kernels"}},
+    {"host", {"gbuffer", "host", "kernels"}},
+    {"cli", {"cli", "gbuffer", "host"}},
+};
+
+TEST(Folders, IncludePointsOneWay) {
+  const std::regex include("^\\s*#include\\s+\"([a-z]+)/");
+  int lines = 0;
+  for (const auto& [folder, allowed] : may_include)
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(RELUME_SOURCE) / folder)) {
+      if (!entry.is_regular_file()) continue;
+      std::ifstream in(entry.path());
+      for (std::string line; std::getline(in, line);) {
+        std::smatch match;
+        if (!std::regex_search(line, match, include)) continue;
+        ++lines;
+        EXPECT_TRUE(allowed.contains(match[1])) << entry.path() << " includes " << match[1] << "/";
+      }
+    }
+  EXPECT_GT(lines, 100);  // the pattern still finds includes
+}
+
+TEST(Folders, OnlyHostSeesOpenCl) {
+  for (const char* folder : {"gbuffer", "cli", "kernels"})
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(RELUME_SOURCE) / folder)) {
+      if (!entry.is_regular_file()) continue;
+      std::ifstream in(entry.path());
+      for (std::string line; std::getline(in, line);) EXPECT_EQ(line.find("#include <CL/"), std::string::npos) << entry.path();
+    }
+}
+
+TEST(Folders, FilesBeginWithWhatTheyAre) {
+  for (const char* folder : {"gbuffer", "host", "cli", "kernels"})
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(RELUME_SOURCE) / folder)) {
+      if (!std::set<std::string>{".h", ".cpp", ".cl"}.contains(entry.path().extension())) continue;
+      std::ifstream in(entry.path());
+      std::string line;
+      std::getline(in, line);
+      EXPECT_EQ(line.substr(0, 3), "// ") << entry.path() << ": the first line says what the file is";
+    }
+}
+
+}  // namespace
