@@ -10,7 +10,7 @@
 namespace relume {
 
 /// Every camera that the header's matrices may mean, the likeliest first: OpenEXR's row vectors or pbrt's transposed storage.
-/// Which one is right, the positions tell (pose_residual). Empty where there is no matrix of the kind. Perspective or not, and the field of
+/// Which one is right, the positions tell (fit_pose). Empty where there is no matrix of the kind. Perspective or not, and the field of
 /// view, come from worldToNDC or worldToScreen, else from fieldOfViewVertical.
 std::vector<Camera> header_cameras(const Imf::Header& header, const Window& display);
 

@@ -67,9 +67,8 @@ struct Tables {
 
   Tables() {
     constexpr double least_cosine = 1e-4;  // Cycles' first node stands for this
-    tbb::parallel_for(0, side * side, [&](int i) {
-      ramps[i] = ramps_at(i % side / double(side - 1), std::max(least_cosine, i / side / double(side - 1)));
-    });
+    tbb::parallel_for(0, side * side,
+                      [&](int i) { ramps[i] = ramps_at(i % side / double(side - 1), std::max(least_cosine, i / side / double(side - 1))); });
   }
 };
 

@@ -13,9 +13,9 @@ namespace {
 
 using Rgb = std::array<double, 3>;
 
-constexpr double usual_f0 = 0.04;     // specular level 1/2 at ior 1.5
-constexpr double brightest_f0 = 0.16; // where a search for f0 ends: ior 2.3 or specular level 2
-constexpr double storage_error = 5e-4; // of a half float, relative
+constexpr double usual_f0 = 0.04;       // specular level 1/2 at ior 1.5
+constexpr double brightest_f0 = 0.16;   // where a search for f0 ends: ior 2.3 or specular level 2
+constexpr double storage_error = 5e-4;  // of a half float, relative
 
 /// What a file holds, made numbers from 0 to 1.
 Rgb reflectances(const Rgb& c) {
@@ -27,8 +27,8 @@ Rgb reflectances(const Rgb& c) {
 double largest(const Rgb& c) { return std::max({c[0], c[1], c[2]}); }
 double smallest(const Rgb& c) { return std::min({c[0], c[1], c[2]}); }
 
-/// Six roundings: what a grey may differ from itself.
-bool grey(const Rgb& c) { return largest(c) - smallest(c) <= 6 * storage_error * largest(c); }
+/// Whether the channels differ by no more than this share.
+bool grey(const Rgb& c, double share) { return largest(c) - smallest(c) <= share * largest(c); }
 
 /// x in low..high with f(x) = target for an f that grows, by false position with the Illinois rule; the nearer end where there is none.
 template <typename Function>
@@ -55,9 +55,7 @@ double solve_growing(const Function& f, double target, double low, double high) 
   return x;
 }
 
-CyclesSurface surface(const Rgb& base, double metallic, double f0) {
-  return {base, metallic, 0.5 * f0 / usual_f0};
-}
+CyclesSurface surface(const Rgb& base, double metallic, double f0) { return {base, metallic, 0.5 * f0 / usual_f0}; }
 
 CyclesSurface dielectric(double f0) { return surface({0, 0, 0}, 0, f0); }  // its base colour is in DiffCol alone
 
@@ -86,7 +84,7 @@ struct Guess {
 
 /// The base colour that leaves this DiffCol.
 Rgb base_of(const CyclesAlbedo& albedo, const Guess& g, const Rgb& diffuse) {
-  const double share = (1 - g.metallic) * (1 - albedo.dielectric(g.f0));
+  const double share = std::max(1e-6, (1 - g.metallic) * (1 - albedo.dielectric(g.f0)));
   Rgb base;
   for (int c = 0; c < 3; ++c) base[c] = std::clamp(diffuse[c] / share, 0.0, 1.0);
   return base;
@@ -119,26 +117,42 @@ Guess improved(const CyclesAlbedo& albedo, const Guess& g, const Rgb& glossy, co
   mm *= 1 + damping, ff *= 1 + damping;
   const double determinant = mm * ff - mf * mf;
   if (!(determinant > 0)) return g;
-  return {std::clamp(g.metallic - (ff * me - mf * fe) / determinant, 0.0, 0.999), std::clamp(g.f0 - (mm * fe - mf * me) / determinant, 0.0, brightest_f0)};
+  return {std::clamp(g.metallic - (ff * me - mf * fe) / determinant, 0.0, 0.999),
+          std::clamp(g.f0 - (mm * fe - mf * me) / determinant, 0.0, brightest_f0)};
 }
 
-CyclesSurface partly_metal(const CyclesAlbedo& albedo, const Rgb& glossy, const Rgb& diffuse) {
-  // Neglecting the dielectric: glossy = metallic base and diffuse = (1 - metallic) base (1 - D).
-  const double d = albedo.dielectric(usual_f0), grown = diffuse[0] + diffuse[1] + diffuse[2], shine = glossy[0] + glossy[1] + glossy[2] - 3 * d;
-  Guess g{std::clamp(shine / (shine + grown / (1 - d)), 0.01, 0.99), usual_f0};
+struct Fit {
+  Guess guess;
+  double error;
+};
+
+Fit fitted(const CyclesAlbedo& albedo, Guess g, const Rgb& glossy, const Rgb& diffuse) {
   double error = squares(misfit(albedo, g, glossy, diffuse)), damping = 1e-3;
-  for (int step = 0; step < 25 && damping < 1e6; ++step) {
+  for (int step = 0; step < 40 && damping < 1e8; ++step) {
     const Guess next = improved(albedo, g, glossy, diffuse, damping);
     const double next_error = squares(misfit(albedo, next, glossy, diffuse));
     if (next_error < error) {
-      const bool settled = error - next_error < 1e-4 * (1 + error);
+      const bool settled = error - next_error < 1e-3 && damping < 1;
       g = next, error = next_error, damping *= 0.1;
       if (settled) break;
     } else {
       damping *= 10;
     }
   }
-  return surface(base_of(albedo, g, diffuse), g.metallic, g.f0);
+  return {g, error};
+}
+
+CyclesSurface partly_metal(const CyclesAlbedo& albedo, const Rgb& glossy, const Rgb& diffuse) {
+  // Neglecting the dielectric: glossy = metallic base and diffuse = (1 - metallic) base (1 - D).
+  const double d = albedo.dielectric(usual_f0), grown = diffuse[0] + diffuse[1] + diffuse[2], shine = glossy[0] + glossy[1] + glossy[2] - 3 * d;
+  const double likely = std::clamp(shine / (shine + grown / (1 - d)), 0.01, 0.99);
+  Fit best{{likely, 0}, INFINITY};
+  for (const double metallic : {likely, 0.9, 0.1}) {
+    const Fit fit = fitted(albedo, {metallic, std::min(usual_f0, dielectric_f0(albedo, smallest(glossy)))}, glossy, diffuse);
+    if (fit.error < best.error) best = fit;
+    if (best.error < 30) break;  // no more than roundings and an unusual specular level
+  }
+  return surface(base_of(albedo, best.guess, diffuse), best.guess.metallic, best.guess.f0);
 }
 
 }  // namespace
@@ -147,12 +161,13 @@ CyclesSurface solve_cycles_surface(const Rgb& glossy_albedo, const Rgb& diffuse_
   const Rgb glossy = reflectances(glossy_albedo), diffuse = reflectances(diffuse_albedo);
   if (!(largest(glossy) > 0)) return dielectric(0);
   const CyclesAlbedo albedo(roughness, n_v, multi_ggx);
-  if (grey(glossy)) {
-    const double f0 = dielectric_f0(albedo, (glossy[0] + glossy[1] + glossy[2]) / 3);
-    const bool coloured = largest(diffuse) > 0 && !grey(diffuse);  // a metal of that colour would show it
-    if (coloured || f0 <= 2.1 * usual_f0) return dielectric(f0);
+  if (grey(glossy, 6 * storage_error)) {
+    const double mean = (glossy[0] + glossy[1] + glossy[2]) / 3, f0 = dielectric_f0(albedo, mean);
+    const bool coloured = largest(diffuse) > 0 && !grey(diffuse, 0.05);  // a metal of that colour would show it
+    const bool possible = std::abs(albedo.dielectric(f0) - mean) <= 6 * storage_error * mean;
+    if (possible && (coloured || f0 <= 2.1 * usual_f0)) return dielectric(f0);
   }
-  if (largest(diffuse) <= 1e-4) return metal(albedo, glossy);
+  if (largest(diffuse) <= 2e-3 * largest(glossy)) return metal(albedo, glossy);  // all but a five-hundredth
   return partly_metal(albedo, glossy, diffuse);
 }
 

@@ -14,7 +14,7 @@ struct CyclesSurface {
 
 /// `glossy_albedo`, `diffuse_albedo`: GlossCol and DiffCol of a pixel; `multi_ggx`: its distribution, else plain GGX.
 /// Grey surfaces can be a bright dielectric or partly metal alike: up to twice the usual specular level they are taken for dielectrics.
-CyclesSurface solve_cycles_surface(const std::array<double, 3>& glossy_albedo, const std::array<double, 3>& diffuse_albedo, double roughness, double n_v,
-                                   bool multi_ggx);
+CyclesSurface solve_cycles_surface(const std::array<double, 3>& glossy_albedo, const std::array<double, 3>& diffuse_albedo, double roughness,
+                                   double n_v, bool multi_ggx);
 
 }  // namespace relume

@@ -1,4 +1,5 @@
-// What a rough dielectric surface lets through: the transmittance table and internal reflectance of a plastic's diffuse base, as Mitsuba's roughplastic has them.
+// What a rough dielectric surface lets through: the transmittance table and internal reflectance of a plastic's diffuse base, as Mitsuba's
+// roughplastic has them.
 #pragma once
 
 #include <array>

@@ -46,10 +46,14 @@ class RenderedRow {
     kernel::Surface s = kernel::default_surface();
     for (const auto& [name, value] : settings()) {
       const kernel::real3 colour = kernel::real3_of(float(value[0]), float(value[1]), float(value[2]));
-      if (name == "albedo") s.albedo = colour;
-      else if (name == "base_color") s.base_color = colour;
-      else if (name == "glossy_albedo") s.glossy_albedo = colour;
-      else if (!kernel::set_parameter(s, name, value[0])) throw std::runtime_error("no parameter " + name);
+      if (name == "albedo")
+        s.albedo = colour;
+      else if (name == "base_color")
+        s.base_color = colour;
+      else if (name == "glossy_albedo")
+        s.glossy_albedo = colour;
+      else if (!kernel::set_parameter(s, name, value[0]))
+        throw std::runtime_error("no parameter " + name);
     }
     s.n = s.base_n = kernel::unit3(vector("n"));
     s.v = kernel::unit3(vector("v"));

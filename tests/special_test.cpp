@@ -97,7 +97,8 @@ TEST(Cycles, WhiteMultiGgxReflectsAllThatArrives) {
         const kernel::Lobe lobe = lobe_named("specular", name);
         const kernel::Surface multi = white(roughness, kernel::DISTRIBUTION_multi_ggx), single = white(roughness, kernel::DISTRIBUTION_ggx);
         EXPECT_NEAR(directional_albedo(lobe, multi, n_v, roughness * roughness, 200), 1, 2e-3) << name << " " << roughness << " " << n_v;
-        EXPECT_NEAR(directional_albedo(lobe, single, n_v, roughness * roughness, 200), ggx_albedo(roughness * roughness, n_v), 1e-3) << name << " " << roughness;
+        EXPECT_NEAR(directional_albedo(lobe, single, n_v, roughness * roughness, 200), ggx_albedo(roughness * roughness, n_v), 1e-3)
+            << name << " " << roughness;
       }
 }
 

@@ -47,7 +47,8 @@ std::vector<OracleAlbedo> oracle_albedos(const std::string& model) {
     std::istringstream text(line);
     std::string name, parameters, n_v, albedo;
     std::getline(text, name, ','), std::getline(text, parameters, ','), std::getline(text, n_v, ','), std::getline(text, albedo, ',');
-    if (name == model) rows.push_back({std::atof(parameters.substr(parameters.find('=') + 1).c_str()), std::atof(n_v.c_str()), std::atof(albedo.c_str())});
+    if (name == model)
+      rows.push_back({std::atof(parameters.substr(parameters.find('=') + 1).c_str()), std::atof(n_v.c_str()), std::atof(albedo.c_str())});
   }
   return rows;
 }

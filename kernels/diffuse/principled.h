@@ -1,5 +1,5 @@
-// Disney's principled diffuse, flat subsurface and sheen: Burley 2012, "Physically-Based Shading at Disney", and 2015, "Extending the Disney BRDF to a
-// BSDF with Integrated Subsurface Scattering", as Mitsuba 3's principled evaluates them (its sheen has no 1/pi).
+// Disney's principled diffuse, flat subsurface and sheen: Burley 2012, "Physically-Based Shading at Disney", and 2015, "Extending the Disney BRDF to
+// a BSDF with Integrated Subsurface Scattering", as Mitsuba 3's principled evaluates them (its sheen has no 1/pi).
 #ifndef RELUME_DIFFUSE_PRINCIPLED_H
 #define RELUME_DIFFUSE_PRINCIPLED_H
 

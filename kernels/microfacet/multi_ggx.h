@@ -1,5 +1,5 @@
-// The energy that a single-bounce GGX loses, given back as Cycles does: Kulla and Conty 2017, "Revisiting Physically Based Shading at Imageworks", scaled
-// into the single-bounce lobe. All of it depends on the pixel alone.
+// The energy that a single-bounce GGX loses, given back as Cycles does: Kulla and Conty 2017, "Revisiting Physically Based Shading at Imageworks",
+// scaled into the single-bounce lobe. All of it depends on the pixel alone.
 #ifndef RELUME_MULTI_GGX_H
 #define RELUME_MULTI_GGX_H
 
