@@ -223,7 +223,9 @@ double disagreement(const std::vector<Sighting>& sightings, bool orthographic, c
   std::vector<Sighting> halves[2];
   for (std::size_t i = 0; i < sightings.size(); ++i) halves[i % 2].push_back(sightings[i]);
   Camera cameras[2];
-  for (int h = 0; h < 2; ++h) cameras[h] = camera_of(orthographic ? fitted(halves[h], solve_orthographic) : fitted(halves[h], solve_perspective), orthographic, sightings, display);
+  for (int h = 0; h < 2; ++h)
+    cameras[h] =
+        camera_of(orthographic ? fitted(halves[h], solve_orthographic) : fitted(halves[h], solve_perspective), orthographic, sightings, display);
   if (orthographic) return glm::distance(cameras[0].backward(), cameras[1].backward());
   return glm::distance(cameras[0].eye(), cameras[1].eye()) / reach_of(sightings, cameras[0].eye());
 }
@@ -240,9 +242,11 @@ Recovery recover(const std::vector<Sighting>& sightings, const Window& display, 
   const bool orthographic = affine.residual <= 1.1 * perspective.residual + 1e-3;
   const Fit& fit = orthographic ? affine : perspective;
   if (!fit.determined) return {{}, "the positions fit many cameras alike"};
-  if (!(fit.residual <= max_residual)) return {{}, "no camera sees the positions at their pixels (best: " + std::to_string(fit.residual) + " pixels off)"};
+  if (!(fit.residual <= max_residual))
+    return {{}, "no camera sees the positions at their pixels (best: " + std::to_string(fit.residual) + " pixels off)"};
   constexpr double too_uncertain = 0.01;  // half a degree of viewing direction: more is visible in highlights
-  if (sightings.size() >= 16 && !(disagreement(sightings, orthographic, display) < too_uncertain)) return {{}, "the positions lie too nearly in one plane"};
+  if (sightings.size() >= 16 && !(disagreement(sightings, orthographic, display) < too_uncertain))
+    return {{}, "the positions lie too nearly in one plane"};
   Camera camera = camera_of(fit, orthographic, sightings, display);
   camera.source = "recovered from the positions";
   camera.residual = fit.residual;

@@ -1,4 +1,5 @@
-// The camera that a header states: worldToCamera, worldToNDC and their kin, in the ways that renderers really store them (research: exr-conventions B).
+// The camera that a header states: worldToCamera, worldToNDC and their kin, in the ways that renderers really store them (research: exr-conventions
+// B).
 #pragma once
 
 #include <ImfHeader.h>

@@ -12,9 +12,9 @@
 namespace relume {
 namespace {
 
-constexpr int reach = 3;                    // pixels: filters rarely reach further than 2
-constexpr double covers_nothing = 1e-4;     // gaussian tails leak 1e-11 into their surroundings
-constexpr double whole_id = 1e-3;           // relative: what single precision and rounding of weights leave of a whole number
+constexpr int reach = 3;                 // pixels: filters rarely reach further than 2
+constexpr double covers_nothing = 1e-4;  // gaussian tails leak 1e-11 into their surroundings
+constexpr double whole_id = 1e-3;        // relative: what single precision and rounding of weights leave of a whole number
 
 Window grown(const Window& window, const Window& limit) {
   return {std::max(window.min_x - reach, limit.min_x), std::max(window.min_y - reach, limit.min_y), std::min(window.max_x + reach, limit.max_x),
@@ -52,11 +52,13 @@ struct Neighbourhood {
 
   bool empty(std::size_t i) const { return !(glm::length(normal(i)) >= covers_nothing); }
 
+  bool whole_number(std::size_t i) const { return std::abs(ids[i] - std::round(ids[i])) <= whole_id * std::max(1.0f, std::round(ids[i])); }
+
   /// One surface alone: a mean of several has a short normal or a broken id.
   bool unmixed(std::size_t i) const {
     if (!(std::abs(glm::length(normal(i)) - 1) < 0.01)) return false;
     if (!alpha.empty() && alpha[i] < 0.999f) return false;
-    return ids.empty() || std::abs(ids[i] - std::round(ids[i])) <= whole_id * std::max(1.0f, std::round(ids[i]));
+    return ids.empty() || whole_number(i);
   }
 };
 
@@ -109,7 +111,9 @@ void mend(const Neighbourhood& n, Pixel at, std::size_t out, Edges& edges) {
   const Surroundings near = around(n, at);
   const double coverage = n.alpha.empty() ? estimated_coverage(n, i, near) : std::clamp(alpha, 0.0, 1.0);
   edges.coverage[out] = coverage < covers_nothing ? 0 : float(coverage);
-  if (!n.ids.empty()) edges.ids[out] = near.like ? whole(n.ids[*near.like]) : whole(n.ids[i] / std::max(coverage, covers_nothing));
+  if (n.ids.empty()) return;
+  const double alone = n.whole_number(i) && n.ids[i] > 0.5f ? n.ids[i] : n.ids[i] / std::max(coverage, covers_nothing);
+  edges.ids[out] = whole(near.like ? n.ids[*near.like] : alone);
 }
 
 }  // namespace

@@ -82,7 +82,8 @@ void check_given(Camera& given, const Evidence& evidence, Reading& reading) {
   if (!recovery.camera || recovery.camera->residual > 0.5 * given.residual) return;
   const double distance = glm::distance(evidence.sightings.front().position, recovery.camera->eye());
   const bool perspective = recovery.camera->projection == Camera::Projection::perspective;
-  const double apart = perspective ? glm::distance(given.eye(), recovery.camera->eye()) / distance : glm::distance(given.backward(), recovery.camera->backward());
+  const double apart =
+      perspective ? glm::distance(given.eye(), recovery.camera->eye()) / distance : glm::distance(given.backward(), recovery.camera->backward());
   if (given.residual <= agreement && apart < 1e-3) return;  // a thousandth in viewing direction shows only in the sharpest highlights
   const std::string place = perspective ? "from " + point(recovery.camera->eye()) : "along " + point(-recovery.camera->backward());
   reading.notes.push_back("warning: the camera given (" + given.source + ") sees the positions " + number(given.residual) +
@@ -103,8 +104,9 @@ void camera_of_camera_space(const ExrFile& file, const ReadingOptions& options, 
   }
   reading.camera = Camera{};
   reading.camera->source = "the space of the layers";
-  reading.notes.push_back("positions are in camera space and no camera says where in the world it stands: lights are taken in camera space, "
-                          "x right, y up, looking along -z (--camera FILE names a camera)");
+  reading.notes.push_back(
+      "positions are in camera space and no camera says where in the world it stands: lights are taken in camera space, "
+      "x right, y up, looking along -z (--camera FILE names a camera)");
 }
 
 void recover_or_say_why(const Evidence& evidence, Reading& reading, const std::optional<Camera>& fallback) {
@@ -117,7 +119,8 @@ void recover_or_say_why(const Evidence& evidence, Reading& reading, const std::o
     return;
   }
   reading.notes.push_back("no camera could be recovered from the positions: " + recovery.why_not +
-                          (fallback ? "; the header's, which does not fit them, is used" : "") + " (--camera FILE names a rig, a glTF or another EXR)");
+                          (fallback ? "; the header's, which does not fit them, is used" : "") +
+                          " (--camera FILE names a rig, a glTF or another EXR)");
 }
 
 }  // namespace

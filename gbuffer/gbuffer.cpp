@@ -22,8 +22,8 @@ using glm::dvec3;
 /// Layers that are read but not kept.
 struct Loose {
   std::vector<float> depth, tangent;
+  std::vector<float> float_ids, coverage;
   std::vector<std::uint32_t> ids;
-  std::vector<float> coverage;
 };
 
 struct Request {
@@ -47,7 +47,8 @@ PlaneRange add_planes(GBuffer& g, Request& request, const RoleLayer& layer) {
 
 const RoleLayer& layer_of(const ExrFile& file, const Reading& reading, const std::string& role) {
   const auto found = reading.roles.find(role);
-  if (found == reading.roles.end()) throw Error(ErrorKind::input, file.path().string() + ": no layer for " + role + " (--map " + role + "=LAYER names one)");
+  if (found == reading.roles.end())
+    throw Error(ErrorKind::input, file.path().string() + ": no layer for " + role + " (--map " + role + "=LAYER names one)");
   return found->second;
 }
 
@@ -55,20 +56,30 @@ bool has(const Reading& reading, const std::string& role) { return reading.roles
 
 /// Ids are wanted by the caller or by rules that hold for some objects only.
 bool ids_needed(const Reading& reading, const std::vector<std::string>& roles) {
-  return std::find(roles.begin(), roles.end(), "ids") != roles.end() || (has(reading, "ids") && !(reading.tangent_ids.empty() && reading.bumped_ids.empty()));
+  return std::find(roles.begin(), roles.end(), "ids") != roles.end() ||
+         (has(reading, "ids") && !(reading.tangent_ids.empty() && reading.bumped_ids.empty()));
 }
 
 /// Whole numbers stay exact; means over a filter are mended.
-void read_ids(const ExrFile& file, const Reading& reading, const Window& window, Loose& loose) {
+void add_ids(const ExrFile& file, const Reading& reading, Request& request, Loose& loose, std::size_t pixels) {
   const RoleLayer& layer = layer_of(file, reading, "ids");
   if (layer.types.front() == SampleType::uint32) {
-    loose.ids.resize(std::size_t(window.pixels()));
-    Request request{{}, window.width()};
+    loose.ids.resize(pixels);
     request.add(layer, 0, loose.ids.data(), sizeof(std::uint32_t), SampleType::uint32);
-    request.read(file, window);
-  } else if (loose.ids.empty()) {
-    loose.ids = mend_edges(file, reading, window).ids;
+  } else {
+    loose.float_ids.resize(pixels);
+    request.add(layer, 0, loose.float_ids.data(), sizeof(float));
   }
+}
+
+void settle_ids(const ExrFile& file, const Reading& reading, const Window& window, Loose& loose) {
+  if (loose.float_ids.empty() || !loose.ids.empty()) return;
+  const auto whole = [](float id) { return id >= 0 && id < 4294967040.0f && id == std::floor(id); };
+  if (!std::all_of(loose.float_ids.begin(), loose.float_ids.end(), whole)) {
+    loose.ids = mend_edges(file, reading, window).ids;
+    return;
+  }
+  loose.ids.assign(loose.float_ids.begin(), loose.float_ids.end());
 }
 
 /// Turns one pixel after another into what GBuffer promises.
@@ -79,7 +90,10 @@ class Finisher {
   };
 
   Finisher(GBuffer& g, const Reading& reading, const Loose& loose)
-      : g_(g), reading_(reading), loose_(loose), tangent_ids_(reading.tangent_ids.begin(), reading.tangent_ids.end()),
+      : g_(g),
+        reading_(reading),
+        loose_(loose),
+        tangent_ids_(reading.tangent_ids.begin(), reading.tangent_ids.end()),
         bumped_ids_(reading.bumped_ids.begin(), reading.bumped_ids.end()) {
     if (reading.camera) world_from_layer_ = reading.camera->world_from_camera;
     if (reading.camera_z_forward) world_from_layer_[2] *= -1.0;
@@ -99,11 +113,11 @@ class Finisher {
     for (int c = 0; c < 3; ++c) g_.planes.plane(range.first + c)[i] = float(v[c]);
   }
   static bool finite(const dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-  bool concerns(const std::set<std::uint32_t>& ids, std::size_t i) const { return ids.empty() || (!loose_.ids.empty() && ids.contains(loose_.ids[i])); }
-
-  dvec3 decoded(const dvec3& n) const {
-    return reading_.normal_encoding == NormalEncoding::as_signed || n == dvec3(0) ? n : 2.0 * n - 1.0;
+  bool concerns(const std::set<std::uint32_t>& ids, std::size_t i) const {
+    return ids.empty() || (!loose_.ids.empty() && ids.contains(loose_.ids[i]));
   }
+
+  dvec3 decoded(const dvec3& n) const { return reading_.normal_encoding == NormalEncoding::as_signed || n == dvec3(0) ? n : 2.0 * n - 1.0; }
   dvec3 unit_in_world(const dvec3& n) const {
     constexpr double no_direction = 1e-6;  // less than the smallest half float is rounding, or a filter's tail
     const double length = glm::length(n);
@@ -189,13 +203,14 @@ Loose read_layers(const ExrFile& file, const Reading& reading, const std::vector
     loose.tangent.resize(std::size_t(g.window.pixels()) * 3);
     for (std::size_t c = 0; c < 3; ++c) request.add(reading.roles.at("tangent"), c, loose.tangent.data() + c, 3 * sizeof(float));
   }
+  if (ids_needed(reading, roles)) add_ids(file, reading, request, loose, std::size_t(g.window.pixels()));
   request.read(file, g.window);
   if (reading.position_premultiplied) {
     Edges edges = mend_edges(file, reading, g.window);
     loose.coverage = std::move(edges.coverage);
-    loose.ids = std::move(edges.ids);
+    if (loose.ids.empty()) loose.ids = std::move(edges.ids);  // whole numbers in the file need no mending
   }
-  if (ids_needed(reading, roles)) read_ids(file, reading, g.window, loose);
+  settle_ids(file, reading, g.window, loose);
   return loose;
 }
 
@@ -218,7 +233,9 @@ GBuffer read_gbuffer(const ExrFile& file, const Reading& reading, const Window& 
         const Finisher::Count here = finisher.finish(range.begin(), range.end());
         return Finisher::Count{before.surface + here.surface, before.bad + here.bad, before.partial + here.partial};
       },
-      [](const Finisher::Count& a, const Finisher::Count& b) { return Finisher::Count{a.surface + b.surface, a.bad + b.bad, a.partial + b.partial}; });
+      [](const Finisher::Count& a, const Finisher::Count& b) {
+        return Finisher::Count{a.surface + b.surface, a.bad + b.bad, a.partial + b.partial};
+      });
   g.surface_pixels = count.surface;
   g.bad_pixels = count.bad;
   g.fractional_coverage = count.partial > 0;

@@ -20,8 +20,7 @@ std::string lower(std::string text) {
 
 /// The short letter of a component, long names and either case alike; empty if the word is none.
 std::optional<char> letter_of(const std::string& word) {
-  static constexpr std::array<std::pair<std::string_view, char>, 5> words{
-      {{"red", 'r'}, {"green", 'g'}, {"blue", 'b'}, {"alpha", 'a'}, {"id", 'i'}}};
+  static constexpr std::array<std::pair<std::string_view, char>, 5> words{{{"red", 'r'}, {"green", 'g'}, {"blue", 'b'}, {"alpha", 'a'}, {"id", 'i'}}};
   const std::string known = lower(word);
   for (const auto& [name, letter] : words)
     if (known == name) return letter;
@@ -109,7 +108,9 @@ Layer taken_apart(const Part& part, const Channel& channel, const Names& names) 
   layer.view = part.view;
   layer.name = without_view(parts.layer, names.views, layer.view);
   if (names.blender) {
-    const auto before = [&](const std::string& v) { return layer.name.size() > v.size() && layer.name.starts_with(v) && layer.name[v.size()] == '.'; };
+    const auto before = [&](const std::string& v) {
+      return layer.name.size() > v.size() && layer.name.starts_with(v) && layer.name[v.size()] == '.';
+    };
     const auto known = std::find_if(names.view_layers.begin(), names.view_layers.end(), before);
     const std::size_t dot = known != names.view_layers.end() ? known->size() : layer.name.find('.');
     if (dot != std::string::npos) {

@@ -67,8 +67,8 @@ std::string choose_view(const ExrFile& file, const std::vector<Layer>& layers, c
   if (!options.view.empty()) return require(file, "view", options.view, names);
   if (names.empty()) return {};
   if (names.size() > 1)
-    reading.notes.push_back("view \"" + printable(names.front()) + "\" is read; there are also: " +
-                            joined({names.begin() + 1, names.end()}) + " (--view NAME chooses)");
+    reading.notes.push_back("view \"" + printable(names.front()) + "\" is read; there are also: " + joined({names.begin() + 1, names.end()}) +
+                            " (--view NAME chooses)");
   return names.front();
 }
 
@@ -98,7 +98,8 @@ void set_windows(const ExrFile& file, Reading& reading) {
   Window& window = reading.data_window = part.data_window;
   for (const auto& [role, layer] : reading.roles) {
     const Window& other = file.parts()[std::size_t(layer.part)].data_window;
-    window = {std::max(window.min_x, other.min_x), std::max(window.min_y, other.min_y), std::min(window.max_x, other.max_x), std::min(window.max_y, other.max_y)};
+    window = {std::max(window.min_x, other.min_x), std::max(window.min_y, other.min_y), std::min(window.max_x, other.max_x),
+              std::min(window.max_y, other.max_y)};
   }
   if (window.empty()) refuse(file, "part " + std::to_string(reading.part) + ": the layers' data windows have no pixel in common");
 }

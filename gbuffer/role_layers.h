@@ -9,8 +9,8 @@
 
 namespace relume {
 
-/// The layer's channels as the role takes them: three for a direction, one for depth, ids, coverage (its alpha) and other numbers, two for uv, else what
-/// there is. No channels where the layer lacks them.
+/// The layer's channels as the role takes them: three for a direction, one for depth, ids, coverage (its alpha) and other numbers, two for uv, else
+/// what there is. No channels where the layer lacks them.
 RoleLayer as_role(const Layer& layer, const std::string& role);
 
 /// Gives the role the first layer that bears one of the names (compared normalised, in their order) and has its components. Remembers the names.

@@ -8,10 +8,12 @@ namespace relume {
 namespace {
 
 std::vector<Window> bands_of(const Window& data) {
-  constexpr std::int64_t budget = 1 << 20;
+  constexpr std::int64_t budget = 1 << 17;  // pixels; a hundredth of a second to decode and judge
   constexpr int rows = 8;  // neighbours above and below, and half of a zip block
   if (data.pixels() <= budget) return {data};
-  const int count = int(std::clamp<std::int64_t>(budget / rows / data.width(), 4, data.height() / rows));
+  if (data.height() <= rows) return {data};
+  const int most = std::max(1, data.height() / rows), wanted = int(std::min<std::int64_t>(budget / rows / data.width(), most));
+  const int count = std::clamp(wanted, std::min(4, most), most);
   std::vector<Window> bands;
   for (int i = 0; i < count; ++i) {
     const int top = data.min_y + int((std::int64_t(data.height()) - rows) * (2 * i + 1) / (2 * count));
@@ -20,28 +22,43 @@ std::vector<Window> bands_of(const Window& data) {
   return bands;
 }
 
-bool surface(const SampledBand& band, const Reading& reading, std::int64_t i) {
-  const glm::dvec3 p = band.vector("position", i), n = decoded_normal(reading, band.vector("normal", i));
-  const auto finite = [](const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
-  if (!finite(p) || !finite(n) || glm::dot(n, n) == 0) return false;
-  return !band.has("depth") || std::abs(band.value("depth", i)) < reading.background_depth;
+/// What each pixel of a band shows: looked up often, so found once.
+struct Clarity {
+  std::vector<char> surface;  ///< finite position and normal, in front of the background
+  std::vector<char> clear;    ///< and unmixed: a mean of several surfaces' normals is short; 0.01 lets curvature within the pixel through
+};
+
+Clarity clarity_of(const SampledBand& band, const Reading& reading) {
+  const auto plane = [&](const char* role) { return band.has(role) ? band.planes.at(role).data() : nullptr; };
+  const float *const position = plane("position"), *const normal = plane("normal"), *const depth = plane("depth"), *const coverage = plane("coverage");
+  const std::size_t pixels = std::size_t(band.window.pixels());
+  Clarity clarity{std::vector<char>(pixels), std::vector<char>(pixels)};
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const float* p = position + 3 * i;
+    const glm::dvec3 n = decoded_normal(reading, {normal[3 * i], normal[3 * i + 1], normal[3 * i + 2]});
+    const double length = glm::length(n);
+    if (!std::isfinite(p[0] + p[1] + p[2]) || !std::isfinite(length) || length == 0) continue;
+    if (depth && !(std::abs(depth[i]) < reading.background_depth)) continue;
+    clarity.surface[i] = 1;
+    clarity.clear[i] = std::abs(length - 1) < 0.01 && !(reading.position_premultiplied && coverage && coverage[i] < 0.999f);
+  }
+  return clarity;
 }
 
-/// A mean of several surfaces' normals is short: 0.99 lets curvature within the pixel through.
-bool clear(const SampledBand& band, const Reading& reading, std::int64_t i) {
-  if (!surface(band, reading, i)) return false;
-  if (reading.position_premultiplied && band.has("coverage") && band.value("coverage", i) < 0.999f) return false;
-  return std::abs(glm::length(decoded_normal(reading, band.vector("normal", i))) - 1) < 0.01;
-}
+using Pixels = std::vector<std::pair<const SampledBand*, std::int64_t>>;
 
-template <class Accept>
-std::vector<std::pair<const SampledBand*, std::int64_t>> accepted(const std::vector<SampledBand>& bands, Accept&& accept) {
-  std::vector<std::pair<const SampledBand*, std::int64_t>> pixels;
-  for (const SampledBand& band : bands)
-    for (int y = 0; y < band.window.height(); ++y)
-      for (int x = 0; x < band.window.width(); ++x)
-        if (accept(band, x, y)) pixels.emplace_back(&band, band.index(x, y));
-  return pixels;
+/// Adds the pixels of a band that are clear, as are their neighbours; or, with `any`, all that show a surface.
+void accept(const SampledBand& band, const Clarity& clarity, bool any, Pixels& pixels) {
+  const int width = band.window.width(), height = band.window.height();
+  const auto clear_around = [&](int x, int y) {
+    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v)
+      for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u)
+        if (!clarity.clear[std::size_t(band.index(u, v))]) return false;
+    return true;
+  };
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      if (any ? clarity.surface[std::size_t(band.index(x, y))] != 0 : clear_around(x, y)) pixels.emplace_back(&band, band.index(x, y));
 }
 
 }  // namespace
@@ -74,14 +91,12 @@ glm::dvec3 decoded_normal(const Reading& reading, const glm::dvec3& stored) {
 
 std::vector<Sighting> clear_sightings(const std::vector<SampledBand>& bands, const Reading& reading, std::vector<glm::dvec3>& normals) {
   constexpr std::size_t enough = 3000, too_few = 64;
-  auto pixels = accepted(bands, [&](const SampledBand& band, int x, int y) {
-    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, band.window.height() - 1); ++v)
-      for (int u = std::max(x - 1, 0); u <= std::min(x + 1, band.window.width() - 1); ++u)
-        if (!clear(band, reading, band.index(u, v))) return false;
-    return true;
-  });
-  if (pixels.size() < too_few)  // thin objects only, or normals of any length: then the fit has to stand the worse ones
-    pixels = accepted(bands, [&](const SampledBand& band, int x, int y) { return surface(band, reading, band.index(x, y)); });
+  Pixels pixels;
+  for (const bool any : {false, true})  // thin objects only, or normals of any length: then the fit has to stand the worse pixels
+    if (pixels.size() < too_few) {
+      pixels.clear();
+      for (const SampledBand& band : bands) accept(band, clarity_of(band, reading), any, pixels);
+    }
   const std::size_t step = std::max<std::size_t>(1, pixels.size() / enough);
   std::vector<Sighting> sightings;
   normals.clear();

@@ -26,7 +26,7 @@ struct SampledBand {
   }
 };
 
-/// The whole data window if it is small, else bands of 8 rows: about a million pixels. Values are as stored.
+/// The whole data window if it is small, else bands of 8 rows: about a hundred thousand pixels. Values are as stored.
 std::vector<SampledBand> sample_rows(const ExrFile& file, const Reading& reading, const std::vector<std::string>& roles);
 
 /// The normal as a direction, decoded but not normalised; zero where none is stored.

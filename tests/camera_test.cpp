@@ -1,4 +1,5 @@
-// Cameras found from made-up positions: perspective off-centre with non-square pixels, orthographic, left-handed, noisy, with outliers; and where there is none.
+// Cameras found from made-up positions: perspective off-centre with non-square pixels, orthographic, left-handed, noisy, with outliers; and where
+// there is none.
 #include "gbuffer/camera.h"
 
 #include <gtest/gtest.h>

@@ -23,14 +23,18 @@ std::vector<Layer> layers_in(const std::vector<MadeUpPart>& parts, const MadeUpE
 }
 
 const Layer* find(const std::vector<Layer>& layers, const std::string& view_layer, const std::string& name, const std::string& view = "") {
-  const auto found = std::find_if(layers.begin(), layers.end(), [&](const Layer& l) { return l.view_layer == view_layer && l.name == name && l.view == view; });
+  const auto found =
+      std::find_if(layers.begin(), layers.end(), [&](const Layer& l) { return l.view_layer == view_layer && l.name == name && l.view == view; });
   return found == layers.end() ? nullptr : &*found;
 }
 
 TEST(Layers, BlenderNamesWithSpacesAndDots) {
-  const auto layers = layers_in({{"", "", {"ViewLayer.Combined.R", "ViewLayer.Combined.G", "ViewLayer.Combined.B", "ViewLayer.Base Color.R", "ViewLayer.001.Combined.R",
-                                           "ViewLayer.001.Normal.X", "ViewLayer.001.Normal.Y", "ViewLayer.001.Normal.Z", "Set only.Depth.Z"}}},
-                                blender);
+  const auto layers =
+      layers_in({{"",
+                  "",
+                  {"ViewLayer.Combined.R", "ViewLayer.Combined.G", "ViewLayer.Combined.B", "ViewLayer.Base Color.R", "ViewLayer.001.Combined.R",
+                   "ViewLayer.001.Normal.X", "ViewLayer.001.Normal.Y", "ViewLayer.001.Normal.Z", "Set only.Depth.Z"}}},
+                blender);
   EXPECT_TRUE(find(layers, "ViewLayer", "Base Color"));
   EXPECT_TRUE(find(layers, "Set only", "Depth"));
   const Layer* const normal = find(layers, "ViewLayer.001", "Normal");
@@ -40,14 +44,16 @@ TEST(Layers, BlenderNamesWithSpacesAndDots) {
 }
 
 TEST(Layers, BlenderStereoInOnePart) {
-  const auto layers = layers_in({{"", "", {"ViewLayer.Combined.left.R", "ViewLayer.Combined.right.R", "ViewLayer.Depth.left.Z", "ViewLayer.Depth.right.Z"}}}, stereo);
+  const auto layers =
+      layers_in({{"", "", {"ViewLayer.Combined.left.R", "ViewLayer.Combined.right.R", "ViewLayer.Depth.left.Z", "ViewLayer.Depth.right.Z"}}}, stereo);
   EXPECT_TRUE(find(layers, "ViewLayer", "Combined", "left"));
   EXPECT_TRUE(find(layers, "ViewLayer", "Depth", "right"));
   EXPECT_EQ(layers.size(), 4u);
 }
 
 TEST(Layers, BlenderFiveInManyParts) {
-  const auto layers = layers_in({{"ViewLayer.Combined-left", "left", {"ViewLayer.Combined.R"}}, {"ViewLayer.Normal-right", "right", {"ViewLayer.Normal.X"}}}, blender);
+  const auto layers = layers_in(
+      {{"ViewLayer.Combined-left", "left", {"ViewLayer.Combined.R"}}, {"ViewLayer.Normal-right", "right", {"ViewLayer.Normal.X"}}}, blender);
   ASSERT_EQ(layers.size(), 2u);
   EXPECT_TRUE(find(layers, "ViewLayer", "Combined", "left"));
   const Layer* const normal = find(layers, "ViewLayer", "Normal", "right");
@@ -68,8 +74,8 @@ TEST(Layers, PartsOfArnoldAreLayers) {
 }
 
 TEST(Layers, BareAndOddComponents) {
-  const auto layers =
-      layers_in({{"", "", {"R", "G", "B", "Z", "dzdx", "Nsx", "N.red", "N.green", "N.blue", "P.x", "hitdist.hitdist", "prim.id", "a.b.unknown", "dd.y.T"}}});
+  const auto layers = layers_in(
+      {{"", "", {"R", "G", "B", "Z", "dzdx", "Nsx", "N.red", "N.green", "N.blue", "P.x", "hitdist.hitdist", "prim.id", "a.b.unknown", "dd.y.T"}}});
   ASSERT_TRUE(find(layers, "", ""));
   EXPECT_EQ(find(layers, "", "")->triple(), (std::vector<std::string>{"R", "G", "B"}));
   for (const char* bare : {"Z", "dzdx", "Nsx", "hitdist", "a.b.unknown"}) {

@@ -38,7 +38,8 @@ class MadeUpExr {
       if (!part.name.empty() || parts.size() > 1) header.setName(part.name);
       if (!part.view.empty()) header.setView(part.view);
       header.setType(Imf::SCANLINEIMAGE);
-      for (const std::string& channel : part.channels) header.channels().insert(plain(channel), Imf::Channel(whole(channel) ? Imf::UINT : Imf::FLOAT));
+      for (const std::string& channel : part.channels)
+        header.channels().insert(plain(channel), Imf::Channel(whole(channel) ? Imf::UINT : Imf::FLOAT));
       if (headers.empty() && edit) edit(header);
       headers.push_back(header);
     }

@@ -1,14 +1,13 @@
-// Files understood: every case of the corpus, and what the user may say against what is found out.
+// Files understood: names, cameras, Mitsuba's bumps, and what the user may say against what is found out (the corpus: reading_corpus_test).
 #include "gbuffer/reading.h"
 
 #include <ImfStandardAttributes.h>
+#include <ImfStringAttribute.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <glm/geometric.hpp>
-#include <nlohmann/json.hpp>
 
 #include "gbuffer/error.h"
 #include "tests/made_up_exr.h"
@@ -17,22 +16,6 @@ namespace relume {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
-
-const fs::path corpus = RELUME_CORPUS;
-
-json read_json(const fs::path& file) { return json::parse(std::ifstream(file)); }
-
-std::vector<fs::path> cases_of(const std::string& renderer) {
-  std::vector<fs::path> cases;
-  for (const auto& entry : fs::directory_iterator(corpus / renderer))
-    if (fs::exists(entry.path() / "gbuffer.exr") || fs::exists(entry.path() / "gbuffer.0001.exr")) cases.push_back(entry.path());
-  std::sort(cases.begin(), cases.end());
-  return cases;
-}
-
-#define NEEDS_CORPUS(renderer) \
-  if (!fs::exists(corpus / renderer)) GTEST_SKIP() << "the corpus is not beside the project: " << (corpus / renderer)
 
 std::string layer(const Reading& reading, const std::string& role) {
   const auto found = reading.roles.find(role);
@@ -43,153 +26,6 @@ std::string notes(const Reading& reading) {
   std::string text;
   for (const std::string& note : reading.notes) text += note + "\n";
   return text;
-}
-
-/// How far apart two cameras put the viewer: as an angle at the scene, whose distance the eye's from the origin stands for.
-double apart(const Camera& found, const glm::dvec3& eye, const glm::dvec3& backward) {
-  if (found.projection == Camera::Projection::orthographic) return glm::distance(found.backward(), backward);
-  return glm::distance(found.eye(), eye) / glm::length(eye);
-}
-
-TEST(Reading, MitsubaCorpus) {
-  NEEDS_CORPUS("mitsuba");
-  double worst = 0;
-  std::string worst_case;
-  for (const fs::path& folder : cases_of("mitsuba")) {
-    SCOPED_TRACE(folder.string());
-    const Reading reading = understand(ExrFile(folder / "gbuffer.exr"), {});
-    EXPECT_EQ(reading.convention, "mitsuba");
-    EXPECT_EQ(layer(reading, "position"), "position");
-    EXPECT_EQ(layer(reading, "normal"), "sh_normal");
-    EXPECT_EQ(layer(reading, "depth"), "depth");
-    EXPECT_EQ(layer(reading, "albedo"), "albedo");
-    EXPECT_EQ(layer(reading, "ids"), "shape_index");
-    EXPECT_EQ(reading.facing, Facing::one_sided);
-    EXPECT_EQ(reading.position_space, Space::world);
-    const std::string name = folder.filename();
-    const bool filtered = name.starts_with("aa64");
-    EXPECT_EQ(reading.position_premultiplied, filtered);
-    EXPECT_EQ(layer(reading, "coverage"), name == "aa64_gaussian" || name == "nested_beauty" ? "image" : "");
-    const bool plane = name.starts_with("textured") || name == "twosided";
-    ASSERT_EQ(bool(reading.camera), !plane) << notes(reading);
-    if (plane) {
-      EXPECT_NE(notes(reading).find("one plane"), std::string::npos);
-      EXPECT_NE(notes(reading).find("--camera"), std::string::npos);
-      continue;
-    }
-    const json rig = read_json(folder / "rig.json")["camera"];
-    const auto m = rig["world_from_camera"].get<std::vector<double>>();
-    const double off = apart(*reading.camera, {m[3], m[7], m[11]}, {m[2], m[6], m[10]});
-    EXPECT_LT(off, filtered ? 5e-3 : 1e-3);  // 64 jittered samples leave a position 0.04 pixels from its centre
-    if (!filtered && off > worst) worst = off, worst_case = name;
-    if (name != "crop_window") {
-      EXPECT_NEAR(reading.camera->vertical_fov, rig.value("vertical_fov", 0.0), 0.1);
-    }
-    EXPECT_NEAR(reading.camera->height, rig.value("height", 0.0), 1e-3);
-    EXPECT_EQ(reading.camera->projection == Camera::Projection::orthographic, rig.contains("height"));
-  }
-  RecordProperty("worst_eye", std::to_string(worst));
-  std::cout << "worst eye " << worst << " of the distance, in " << worst_case << "\n";
-}
-
-TEST(Reading, MitsubaBumps) {
-  NEEDS_CORPUS("mitsuba");
-  const auto read = [](const std::string& name) { return understand(ExrFile(corpus / "mitsuba" / name / "gbuffer.exr"), {}); };
-  const Reading normalmap = read("normalmap"), by_default = read("normalmap_default"), bumpmap = read("bumpmap"), mesh = read("mesh_smooth");
-  EXPECT_EQ(normalmap.bump_shadowing, BumpShadowing::horizon);
-  EXPECT_NE(notes(normalmap).find("24 pixels"), std::string::npos) << notes(normalmap);
-  EXPECT_EQ(by_default.bump_shadowing, BumpShadowing::smith);
-  EXPECT_EQ(bumpmap.bump_shadowing, BumpShadowing::horizon);
-  EXPECT_EQ(mesh.bump_shadowing, BumpShadowing::none);
-  EXPECT_TRUE(bumpmap.normal_in_tangent_frame);
-  EXPECT_FALSE(normalmap.normal_in_tangent_frame);
-  EXPECT_EQ(layer(normalmap, "base_normal"), "geo_normal");
-  EXPECT_EQ(layer(mesh, "base_normal"), "");
-  EXPECT_EQ(layer(read("diffuse_point"), "base_normal"), "");
-  ReadingOptions options;
-  options.bump_shadowing = BumpShadowing::smith;
-  EXPECT_EQ(understand(ExrFile(corpus / "mitsuba/normalmap/gbuffer.exr"), options).bump_shadowing, BumpShadowing::smith);
-}
-
-void check_blender(const fs::path& file, const json& facts, const ReadingOptions& options, double& worst) {
-  SCOPED_TRACE(file.string() + " " + options.view_layer + options.view);
-  const Reading reading = understand(ExrFile(file), options);
-  const bool five = facts["blender"].get<std::string>().starts_with("5");
-  EXPECT_EQ(reading.convention, "blender");
-  EXPECT_EQ(layer(reading, "position"), "Position");
-  EXPECT_EQ(layer(reading, "normal"), "Normal");
-  EXPECT_EQ(layer(reading, "depth"), "Depth");
-  EXPECT_EQ(layer(reading, "albedo"), five ? "Diffuse Color" : "DiffCol");
-  EXPECT_EQ(layer(reading, "glossy_albedo"), five ? "Glossy Color" : "GlossCol");
-  for (const auto& [role, aov] : facts["aov"].items()) EXPECT_EQ(layer(reading, role == "specular" ? "specular_level" : role), aov.get<std::string>());
-  EXPECT_EQ(reading.default_specular, "cycles_principled");
-  EXPECT_EQ(reading.facing, Facing::as_stored);
-  ASSERT_TRUE(reading.camera) << notes(reading);
-  if (facts["case"] == "sequence" && file.filename() != "gbuffer.0001.exr") return;  // the camera moves
-  std::vector<double> m;
-  for (const auto& row : facts["camera"]["world_from_camera"])
-    for (const double v : row) m.push_back(v);
-  const double off = apart(*reading.camera, {m[3], m[7], m[11]}, {m[2], m[6], m[10]});
-  if (options.view == "right") {
-    EXPECT_GT(off, 1e-3) << "the right eye stands beside the camera";
-    return;
-  }
-  EXPECT_LT(off, 1e-3);
-  worst = std::max(worst, off);
-  EXPECT_EQ(reading.camera->projection == Camera::Projection::orthographic, facts["camera"]["type"] == "ortho");
-}
-
-TEST(Reading, BlenderCorpus) {
-  NEEDS_CORPUS("blender");
-  double worst = 0;
-  for (const fs::path& folder : cases_of("blender")) {
-    const json facts = read_json(folder / "case.json");
-    for (const auto& entry : fs::directory_iterator(folder)) {
-      if (!entry.path().filename().string().starts_with("gbuffer")) continue;
-      for (const std::string view_layer : facts["view_layers"]) {
-        ReadingOptions options;
-        options.view_layer = view_layer;
-        check_blender(entry.path(), facts, options, worst);
-        if (!facts["views"].is_null()) {
-          options.view = "right";
-          check_blender(entry.path(), facts, options, worst);
-        }
-      }
-    }
-  }
-  std::cout << "worst eye " << worst << " of the distance\n";
-}
-
-TEST(Reading, PbrtCorpus) {
-  NEEDS_CORPUS("pbrt");
-  for (const fs::path& folder : cases_of("pbrt")) {
-    SCOPED_TRACE(folder.string());
-    const json facts = read_json(folder / "case.json");
-    const Reading reading = understand(ExrFile(folder / "gbuffer.exr"), {});
-    const Space space = facts["film"]["coordinatesystem"] == "camera" ? Space::camera : Space::world;
-    EXPECT_EQ(reading.convention, "pbrt");
-    EXPECT_EQ(layer(reading, "normal"), "Ns");
-    EXPECT_EQ(layer(reading, "position"), "P");
-    EXPECT_EQ(layer(reading, "albedo"), "Albedo");
-    EXPECT_EQ(reading.position_space, space);
-    EXPECT_EQ(reading.normal_space, space);
-    EXPECT_EQ(reading.facing, Facing::two_sided);
-    EXPECT_EQ(reading.default_specular, "none");
-    ASSERT_TRUE(reading.camera);
-    const auto eye = facts["camera"]["eye"].get<std::vector<double>>();
-    EXPECT_LT(glm::distance(reading.camera->eye(), {eye[0], eye[1], eye[2]}), 1e-3);
-    EXPECT_LT(reading.camera->residual, 0.05);
-    EXPECT_EQ(reading.display_window, (Window{0, 0, 160, 120}));
-    EXPECT_NEAR(reading.camera->height, 2 * facts["camera"].value("screen_half_height", 0.0), 1e-3);
-    EXPECT_NEAR(reading.camera->vertical_fov, facts["camera"].value("fov_of_the_shorter_side", 0.0), 0.02);  // half positions
-    // Recovered without the header's help, the same camera comes out.
-    if (space == Space::camera) continue;
-    ReadingOptions alone;
-    alone.recover_camera = true;
-    const Reading again = understand(ExrFile(folder / "gbuffer.exr"), alone);
-    ASSERT_TRUE(again.camera) << notes(again);
-    EXPECT_LT(apart(*again.camera, reading.camera->eye(), reading.camera->backward()), 2e-3) << "half positions";
-  }
 }
 
 /// A dome seen by a camera at (0, 0, 4) that looks down -z, 90 degrees wide and high.
@@ -227,9 +63,8 @@ TEST(Reading, HeaderCameraInEitherStorage) {
 }
 
 TEST(Reading, HeaderCameraThatDidNotSeeTheFileGivesWay) {
-  const MadeUpExr made({{"", "", plain}}, 32, 32, dome, [&](Imf::Header& header) {
-    Imf::addWorldToCamera(header, Imath::M44f(0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 7, 1));
-  });
+  const MadeUpExr made({{"", "", plain}}, 32, 32, dome,
+                       [&](Imf::Header& header) { Imf::addWorldToCamera(header, Imath::M44f(0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 7, 1)); });
   const Reading reading = understand(ExrFile(made.file), {});
   ASSERT_TRUE(reading.camera);
   EXPECT_LT(glm::distance(reading.camera->eye(), {0, 0, 4}), 1e-4);
@@ -270,14 +105,16 @@ TEST(Reading, MappedLayers) {
   EXPECT_EQ(reading.roles.at("roughness").channels, std::vector<std::string>{"gloss.R"});
   EXPECT_EQ(find_layer(ExrFile(made.file), reading, "GLOSS").layer, "gloss");
   options.map["normal"] = "gloss";
-  EXPECT_NE(message_of(made.file, options).find("no layer \"gloss\" for normal with three components (there are: My Normal, where)"), std::string::npos)
+  EXPECT_NE(message_of(made.file, options).find("no layer \"gloss\" for normal with three components (there are: My Normal, where)"),
+            std::string::npos)
       << message_of(made.file, options);
 }
 
 TEST(Reading, ViewLayersByName) {
   std::vector<std::string> channels;
   for (const char* layer : {"Beauty", "Set only"})
-    for (const char* pass : {"Combined.R", "Normal.X", "Normal.Y", "Normal.Z", "Position.X", "Position.Y", "Position.Z", "DiffCol.R", "DiffCol.G", "DiffCol.B"})
+    for (const char* pass :
+         {"Combined.R", "Normal.X", "Normal.Y", "Normal.Z", "Position.X", "Position.Y", "Position.Z", "DiffCol.R", "DiffCol.G", "DiffCol.B"})
       channels.push_back(std::string(layer) + "." + pass);
   const MadeUpExr made({{"", "", channels}}, 32, 32, dome);
   const Reading first = understand(ExrFile(made.file), {});
@@ -294,6 +131,51 @@ TEST(Reading, ViewLayersByName) {
   options.view_layer.clear();
   options.view = "left";
   EXPECT_NE(message_of(made.file, options).find("no view \"left\" (the file has none)"), std::string::npos);
+}
+
+/// The dome again as Mitsuba writes it: facets of `size` pixels (0: none), shading normals by `relief`.
+enum class Relief { smooth, bumped, local };
+Reading mitsuba_dome(int size, Relief relief, int shapes = 1) {
+  const std::vector<std::string> channels{"position.X",  "position.Y",   "position.Z",    "sh_normal.X",  "sh_normal.Y",
+                                          "sh_normal.Z", "geo_normal.X", "geo_normal.Y",  "geo_normal.Z", "dp_du.X",
+                                          "dp_du.Y",     "dp_du.Z",      "shape_index.I", "prim_index.I"};
+  const auto value = [&](const std::string& channel, int x, int y) -> double {
+    const int middle_x = size ? x / size * size + size / 2 : x, middle_y = size ? y / size * size + size / 2 : y;
+    const auto normal = [](int u, int v) { return glm::dvec3(dome("N.X", u, v), dome("N.Y", u, v), dome("N.Z", u, v)); };
+    const glm::dvec3 geo = normal(middle_x, middle_y), bump{0.2 * std::sin(x * 1.7), 0.2 * std::cos(y * 2.1), 0};
+    const bool bumpy = relief == Relief::bumped && (shapes == 1 || x < 16);
+    const glm::dvec3 sh = relief == Relief::local ? glm::normalize(glm::dvec3(0, 0, 1) + bump)
+                          : bumpy                 ? glm::normalize(geo + bump)
+                          : size                  ? normal(x, y)
+                                                  : geo;
+    const int axis = channel.back() == 'X' ? 0 : channel.back() == 'Y' ? 1 : 2;
+    if (channel == "shape_index.I") return shapes == 1 || x < 16 ? 7 : 8;
+    if (channel == "prim_index.I") return size ? (middle_y / size) * 100 + middle_x / size : 0;
+    if (channel.starts_with("dp_du")) return axis == 0 ? 1 : 0;
+    return channel.starts_with("geo") ? geo[axis] : channel.starts_with("sh") ? sh[axis] : dome(channel, x, y);
+  };
+  const MadeUpExr made({{"", "", channels}}, 32, 32, value,
+                       [](Imf::Header& header) { header.insert("generatedBy", Imf::StringAttribute("Mitsuba version 3.9.1")); });
+  return understand(ExrFile(made.file), {});
+}
+
+TEST(Reading, MitsubaSmoothMeshesAreNotBumped) {
+  for (const int size : {2, 4, 8}) {
+    const Reading mesh = mitsuba_dome(size, Relief::smooth);
+    EXPECT_EQ(mesh.bump_shadowing, BumpShadowing::none) << "facets of " << size << " pixels\n" << notes(mesh);
+    EXPECT_EQ(layer(mesh, "base_normal"), "");
+    const Reading bumped = mitsuba_dome(size, Relief::bumped);
+    EXPECT_NE(bumped.bump_shadowing, BumpShadowing::none) << "flat facets of " << size << " pixels under a normal map\n" << notes(bumped);
+  }
+  EXPECT_EQ(mitsuba_dome(0, Relief::smooth).bump_shadowing, BumpShadowing::none);
+}
+
+TEST(Reading, MitsubaBumpsOfSomeShapes) {
+  const Reading reading = mitsuba_dome(0, Relief::bumped, 2);
+  EXPECT_NE(reading.bump_shadowing, BumpShadowing::none);
+  EXPECT_EQ(reading.bumped_ids, std::vector<std::uint32_t>{7});
+  EXPECT_FALSE(reading.normal_in_tangent_frame);
+  EXPECT_TRUE(mitsuba_dome(0, Relief::local).normal_in_tangent_frame);
 }
 
 TEST(Reading, OldPbrtNames) {

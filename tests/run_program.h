@@ -45,10 +45,11 @@ inline std::string text_of_file(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-inline ProgramRun run_program(const std::vector<std::string>& arguments, const std::string& input = {}) {
+/// `before`: what the shell reads in front of the program: "NAME=value", "ulimit -f 8;".
+inline ProgramRun run_program(const std::vector<std::string>& arguments, const std::string& input = {}, const std::string& before = {}) {
   const TemporaryFolder folder;
   std::ofstream(folder / "in") << input;
-  std::string command = shell_quoted(RELUME_PROGRAM);
+  std::string command = before + " " + shell_quoted(RELUME_PROGRAM);
   for (const std::string& argument : arguments) command += " " + shell_quoted(argument);
   command += " <" + shell_quoted((folder / "in").string()) + " >" + shell_quoted((folder / "out").string()) + " 2>" + shell_quoted((folder / "err").string());
   const int status = std::system(command.c_str());

@@ -13,7 +13,8 @@ std::string recognise(const ExrFile&, const std::vector<Layer>&) { return "no re
 
 /// World space where there is a choice, then names that do not say, then camera space.
 void assign_geometry(const std::vector<Layer>& layers, Reading& reading) {
-  assign(reading, layers, "normal", {"Nworld", "N.world", "WorldNormal", "sh_normal", "shading normal", "Ns", "N", "Normal", "Normals", "nn", "VisibleNormals", "OptixNormals"});
+  assign(reading, layers, "normal",
+         {"Nworld", "N.world", "WorldNormal", "sh_normal", "shading normal", "Ns", "N", "Normal", "Normals", "nn", "VisibleNormals", "OptixNormals"});
   if (!reading.roles.contains("normal")) {
     assign(reading, layers, "normal", {"N_camera", "N.camera", "Denoising Normal"});
     if (reading.roles.contains("normal")) reading.normal_space = Space::camera;
@@ -29,7 +30,8 @@ void assign_roles(const ExrFile&, const std::vector<Layer>& layers, Reading& rea
   assign_geometry(layers, reading);
   assign(reading, layers, "depth", {"Z", "depth", "zfiltered", "WorldDepth", "hitdist"});
   assign(reading, layers, "albedo",
-         {"albedo", "base color", "diffuse_albedo", "DiffCol", "Diffuse Color", "DiffuseFilter", "diffuse filter", "albedodiffuse", "VisibleDiffuse", "Denoising Albedo"});
+         {"albedo", "base color", "diffuse_albedo", "DiffCol", "Diffuse Color", "DiffuseFilter", "diffuse filter", "albedodiffuse", "VisibleDiffuse",
+          "Denoising Albedo"});
   assign(reading, layers, "roughness", {"roughness", "rough", "specular_roughness"});
   assign(reading, layers, "metallic", {"metallic", "metalness", "metal"});
   assign(reading, layers, "f0", {"f0", "specular_f0"});
@@ -51,6 +53,7 @@ void settle_space(const ExrFile& file, const ReadingOptions&, Reading& reading) 
 }  // namespace
 
 extern const Convention convention_generic;
-const Convention convention_generic{"generic", "plain layer names", "names collected from many renderers' documents and files", recognise, assign_roles, settle_space, nullptr};
+const Convention convention_generic{
+    "generic", "plain layer names", "names collected from many renderers' documents and files", recognise, assign_roles, settle_space, nullptr};
 
 }  // namespace relume

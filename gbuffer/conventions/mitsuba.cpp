@@ -17,7 +17,8 @@ std::string recognise(const ExrFile& file, const std::vector<Layer>& layers) {
   if (const auto by = text_attribute(header, "generatedBy"); by && by->starts_with("Mitsuba")) return "header attribute generatedBy = \"" + *by + '"';
   if (matrix_attribute(header, "worldToCamera")) return {};
   const auto depth = std::find_if(layers.begin(), layers.end(), [](const Layer& l) { return l.component('t') && l.components.size() == 1; });
-  const bool vectors = std::any_of(layers.begin(), layers.end(), [](const Layer& l) { return l.component('x') && l.component('y') && l.component('z'); });
+  const bool vectors =
+      std::any_of(layers.begin(), layers.end(), [](const Layer& l) { return l.component('x') && l.component('y') && l.component('z'); });
   return depth != layers.end() && vectors ? "channel \"" + depth->components.front().channel + "\" beside vectors, and no camera" : "";
 }
 
@@ -87,8 +88,10 @@ void settle_filtering(const ExrFile& file, const ReadingOptions& options, Readin
   }
   if (mixed > 0) {
     const bool stored = reading.roles.contains("coverage");
-    reading.notes.push_back("anti-aliased layers: " + std::to_string(mixed) + " of " + std::to_string(all) + " pixels looked at mix surfaces; layers are divided by the coverage " +
-                            (stored ? "in " + reading.roles.at("coverage").channels.front() : std::string("estimated from ids and normals, since no alpha was written")));
+    reading.notes.push_back(
+        "anti-aliased layers: " + std::to_string(mixed) + " of " + std::to_string(all) +
+        " pixels looked at mix surfaces; layers are divided by the coverage " +
+        (stored ? "in " + reading.roles.at("coverage").channels.front() : std::string("estimated from ids and normals, since no alpha was written")));
     return;
   }
   reading.position_premultiplied = reading.colour_premultiplied = false;
@@ -97,6 +100,8 @@ void settle_filtering(const ExrFile& file, const ReadingOptions& options, Readin
 }  // namespace
 
 extern const Convention convention_mitsuba;
-const Convention convention_mitsuba{"mitsuba", "Mitsuba 3, aov integrator", "Mitsuba 3.9.1, measured; src/integrators/aov.cpp", recognise, assign_roles, settle_filtering, settle_mitsuba_bump};
+const Convention convention_mitsuba{
+    "mitsuba",        "Mitsuba 3, aov integrator", "Mitsuba 3.9.1, measured; src/integrators/aov.cpp", recognise, assign_roles,
+    settle_filtering, settle_mitsuba_bump};
 
 }  // namespace relume

@@ -20,7 +20,7 @@ enum class Relief { none, smooth_mesh, perturbed };
 /// What the pixels of one shape tell. Pairs are horizontal neighbours of the same shape.
 struct ShapeEvidence {
   std::int64_t pixels = 0, differing = 0, pairs = 0, jumps = 0;
-  double to_base = 0, to_z = 0;                    ///< sums of sh.geo and of sh.z
+  double to_base = 0, to_z = 0;                       ///< sums of sh.geo and of sh.z
   double apart = 0, base_jump = 0, shading_jump = 0;  ///< sums of |sh - geo|, and over jumps of geo: of |d geo| and |d sh|
   std::set<std::uint32_t> primitives;
 
@@ -101,7 +101,8 @@ dvec3 from_local(const dvec3& local, const dvec3& n, const dvec3& dp_du) {
 }
 
 /// Pixels of perturbed shapes whose shading normal looks away from the viewer although the surface does not.
-std::int64_t turned_away(const std::vector<SampledBand>& bands, const Reading& reading, const std::set<std::uint32_t>& bumped, const std::set<std::uint32_t>& local) {
+std::int64_t turned_away(const std::vector<SampledBand>& bands, const Reading& reading, const std::set<std::uint32_t>& bumped,
+                         const std::set<std::uint32_t>& local) {
   const Camera& camera = *reading.camera;
   std::int64_t count = 0;
   for (const SampledBand& band : bands) {
@@ -110,7 +111,8 @@ std::int64_t turned_away(const std::vector<SampledBand>& bands, const Reading& r
       if (!pixel.usable || !bumped.contains(pixel.id)) continue;
       const bool turned = local.contains(pixel.id) && band.has("tangent");
       const dvec3 n = turned ? from_local(pixel.shading, pixel.base, band.vector("tangent", i)) : pixel.shading;
-      const dvec3 v = camera.projection == Camera::Projection::orthographic ? camera.backward() : glm::normalize(camera.eye() - band.vector("position", i));
+      const dvec3 v =
+          camera.projection == Camera::Projection::orthographic ? camera.backward() : glm::normalize(camera.eye() - band.vector("position", i));
       constexpr double clear_of_rounding = 1e-4;
       count += glm::dot(n, v) < -clear_of_rounding && glm::dot(pixel.base, v) > clear_of_rounding;
     }
@@ -130,11 +132,13 @@ void settle_frame(Reading& reading, const std::set<std::uint32_t>& local, std::s
   reading.tangent_ids = some_of(local, shapes);
   const std::string layer = reading.roles.at("normal").layer;
   if (reading.normal_in_tangent_frame)
-    reading.notes.push_back(layer + " of " + counted(local.size(), shapes) + " is in the surface's own frame (Mitsuba 3.9's bumpmap writes it so): turned to world by " +
+    reading.notes.push_back(layer + " of " + counted(local.size(), shapes) +
+                            " is in the surface's own frame (Mitsuba 3.9's bumpmap writes it so): turned to world by " +
                             reading.roles.at("base_normal").layer + " and " + reading.roles.at("tangent").layer);
   else
-    reading.notes.push_back("warning: " + layer + " of " + counted(local.size(), shapes) +
-                            " is in the surface's own frame (Mitsuba 3.9's bumpmap writes it so), and no dp_du layer says which way that lies: the light will be wrong");
+    reading.notes.push_back(
+        "warning: " + layer + " of " + counted(local.size(), shapes) +
+        " is in the surface's own frame (Mitsuba 3.9's bumpmap writes it so), and no dp_du layer says which way that lies: the light will be wrong");
 }
 
 void settle_shadowing(const std::vector<SampledBand>& bands, const ReadingOptions& options, Reading& reading, const std::set<std::uint32_t>& bumped,
@@ -142,15 +146,18 @@ void settle_shadowing(const std::vector<SampledBand>& bands, const ReadingOption
   if (options.bump_shadowing) return;
   if (!reading.camera) {
     reading.bump_shadowing = BumpShadowing::smith;
-    reading.notes.push_back("no camera to tell by: Mitsuba's defaults for bump and normal maps are taken (--bump-shadowing horizon: use_shadowing_function was false)");
+    reading.notes.push_back(
+        "no camera to tell by: Mitsuba's defaults for bump and normal maps are taken (--bump-shadowing horizon: use_shadowing_function was false)");
     return;
   }
   const std::int64_t away = turned_away(bands, reading, bumped, local);
   reading.bump_shadowing = away > 0 ? BumpShadowing::horizon : BumpShadowing::smith;
-  reading.notes.push_back(away > 0 ? std::to_string(away) + " pixels have shading normals that look away from the viewer, which Mitsuba's defaults turn back: "
-                                                            "use_shadowing_function is taken to be off too (--bump-shadowing smith says otherwise)"
-                                   : "no shading normal looks away from the viewer, as with Mitsuba's defaults: use_shadowing_function is taken to be on "
-                                     "(--bump-shadowing horizon says otherwise)");
+  reading.notes.push_back(away > 0
+                              ? std::to_string(away) +
+                                    " pixels have shading normals that look away from the viewer, which Mitsuba's defaults turn back: "
+                                    "use_shadowing_function is taken to be off too (--bump-shadowing smith says otherwise)"
+                              : "no shading normal looks away from the viewer, as with Mitsuba's defaults: use_shadowing_function is taken to be on "
+                                "(--bump-shadowing horizon says otherwise)");
 }
 
 }  // namespace
@@ -173,7 +180,8 @@ void settle_mitsuba_bump(const ExrFile& file, const ReadingOptions& options, Rea
   }
   settle_frame(reading, local, shapes.size());
   if (smooth > 0)
-    reading.notes.push_back(counted(smooth, shapes.size()) + " have smooth normals over facets: the facets' own normals hold back no light in Mitsuba");
+    reading.notes.push_back(counted(smooth, shapes.size()) +
+                            " have smooth normals over facets: the facets' own normals hold back no light in Mitsuba");
   if (bumped.empty()) {
     if (!options.bump_shadowing) reading.bump_shadowing = BumpShadowing::none;
     if (!options.map.contains("base_normal")) reading.roles.erase("base_normal");

@@ -51,7 +51,8 @@ void assign_roles(const ExrFile&, const std::vector<Layer>& layers, Reading& rea
   reading.camera_z_forward = true;
   reading.default_diffuse = "lambert";
   reading.default_specular = "none";
-  reading.notes.push_back("a pbrt file does not tell its materials: Lambert with the stored albedo is taken (--diffuse, --specular and --set say otherwise)");
+  reading.notes.push_back(
+      "a pbrt file does not tell its materials: Lambert with the stored albedo is taken (--diffuse, --specular and --set say otherwise)");
 }
 
 /// pbrt's matrices are stored transposed; a file whose matrix is not rigid that way is no pbrt file.
@@ -72,7 +73,8 @@ Camera camera_space(Camera::Projection projection) {
 void settle_space(const ExrFile& file, const ReadingOptions& options, Reading& reading) {
   const auto camera = stored_camera(file, reading);
   if (!camera) {
-    if (!options.position_space) reading.notes.push_back("no worldToCamera: positions are taken to be in world space (--position-space camera says otherwise)");
+    if (!options.position_space)
+      reading.notes.push_back("no worldToCamera: positions are taken to be in world space (--position-space camera says otherwise)");
     return;
   }
   std::vector<glm::dvec3> normals;
@@ -100,6 +102,7 @@ void settle_space(const ExrFile& file, const ReadingOptions& options, Reading& r
 }  // namespace
 
 extern const Convention convention_pbrt;
-const Convention convention_pbrt{"pbrt", "pbrt-v4, Film \"gbuffer\"", "pbrt-v4 5f7a606, measured; src/pbrt/film.cpp", recognise, assign_roles, settle_space, nullptr};
+const Convention convention_pbrt{
+    "pbrt", "pbrt-v4, Film \"gbuffer\"", "pbrt-v4 5f7a606, measured; src/pbrt/film.cpp", recognise, assign_roles, settle_space, nullptr};
 
 }  // namespace relume
