@@ -73,6 +73,7 @@ RelightJob job_of(const ShadeArguments& a) {
   if (a.diffuse != "auto") job.material.diffuse = a.diffuse;
   if (a.specular != "auto") job.material.specular = a.specular;
   for (const std::string& assignment : a.set) set_parameter(job.material, assignment);
+  check(job.material, "command line");
   if (!a.materials.empty()) job.materials = a.materials;
   choose_layers(a.layers, job);
   if (!a.crop.empty()) job.crop = window_of(a.crop);

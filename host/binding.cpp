@@ -1,35 +1,16 @@
-// Binding: lobes and terms chosen, every parameter traced to a constant, a layer or a texture.
+// Binding: the materials of a frame, gathered into programs and roles.
 #include "host/binding.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "gbuffer/error.h"
 #include "host/ambient_nodes.h"
 #include "host/ggx_albedo.h"
-#include "host/ior.h"
 #include "host/lobes.h"
-#include "host/rough_transmittance.h"
 #include "kernels/cycles_tables.h"
 
 namespace relume {
-
-double transformed(FieldSource::Transform transform, double value) {
-  switch (transform) {
-    case FieldSource::Transform::square:
-      return value * value;
-    case FieldSource::Transform::ior_from_level:
-      return ior_from_specular_level(value);
-    case FieldSource::Transform::none:
-      break;
-  }
-  return value;
-}
-
 namespace {
-
-bool contains(const std::vector<std::string_view>& list, std::string_view name) { return std::find(list.begin(), list.end(), name) != list.end(); }
 
 /// What the command line says wins over the material file; a parameter's alternative spelling is replaced with it.
 Material merged(Material base, const Material& over) {
@@ -44,239 +25,70 @@ Material merged(Material base, const Material& over) {
   return base;
 }
 
-/// Builds one BoundMaterial from what a user said and what the file holds.
-class Binder {
- public:
-  Binder(const std::string& place, const LayerFinder& find, Reading& reading, std::vector<float>& tables)
-      : place_(place), find_(find), reading_(reading), tables_(tables) {}
-
-  BoundMaterial bind(const Material& material) {
-    material_ = material;
-    bound_ = {};
-    choose_lobes();
-    choose_terms();
-    bound_.facing = material.twosided ? (*material.twosided ? Facing::two_sided : Facing::one_sided) : reading_.facing;
-    for (const Lobe* lobe : {diffuse_, specular_})
-      if (lobe)
-        for (const std::string_view name : lobe->parameters) place(std::string(name));
-    if (fresnel_)
-      for (const std::string_view name : fresnel_->parameters) place(std::string(name));
-    if (fresnel_ && fresnel_->name == "schlick") place("albedo");  // metallic mixes f0 with it
-    special_cases();
-    return bound_;
-  }
-
-  /// Sentences about what was assumed, each once.
-  const std::vector<std::string>& notes() const { return notes_; }
-
- private:
-  bool given(const std::string& parameter) const { return material_.parameters.contains(parameter); }
-  bool in_file(const std::string& role) const { return reading_.roles.contains(role); }
-  void note(const std::string& text) {
-    if (std::find(notes_.begin(), notes_.end(), text) == notes_.end()) notes_.push_back(text);
-  }
-
-  void choose_lobes() {
-    const bool automatic = material_.specular.empty() && material_.diffuse.empty();
-    if (material_.diffuse.empty()) material_.diffuse = reading_.default_diffuse;
-    if (material_.specular.empty()) material_.specular = reading_.default_specular;
-    // A Blender file without GlossCol and without a base colour says nothing of a highlight.
-    if (automatic && material_.specular == "cycles_principled" && !in_file("glossy_albedo") && !in_file("base_color") && !given("albedo"))
-      material_.specular = "none";
-    diffuse_ = material_.diffuse == "none" ? nullptr : &lobe_named(true, material_.diffuse);
-    specular_ = material_.specular == "none" ? nullptr : &lobe_named(false, material_.specular);
-    bound_.choice.diffuse = diffuse_ ? diffuse_->number : int(DIFFUSE_none);
-    bound_.choice.specular = specular_ ? specular_->number : int(SPECULAR_none);
-  }
-
-  /// The term named, which must be one of the lobe's, else the lobe's first.
-  const Term* term(const std::vector<Term>& terms, const std::vector<std::string_view>& allowed, const std::string& named, const char* kind) const {
-    if (allowed.empty()) return nullptr;
-    if (named.empty()) return &term_named(terms, allowed.front(), kind);
-    const Term& chosen = term_named(terms, named, kind);
-    if (contains(allowed, chosen.name)) return &chosen;
-    std::string list;
-    for (const std::string_view name : allowed) list += (list.empty() ? "" : ", ") + std::string(name);
-    throw Error(ErrorKind::input, std::string(specular_->name) + " takes no " + kind + " \"" + named + "\" (has: " + list + ")");
-  }
-
-  void choose_terms() {
-    fresnel_ = nullptr;
-    if (!specular_) return;
-    std::string fresnel = material_.fresnel;
-    if (fresnel.empty() && !specular_->fresnels.empty()) {
-      const bool lobe_has_ior = contains(specular_->parameters, "ior");
-      if (given("eta") || given("k"))
-        fresnel = "conductor";
-      else if (given("ior") && !lobe_has_ior)
-        fresnel = "dielectric";
-    }
-    fresnel_ = term(fresnels(), specular_->fresnels, fresnel, "fresnel term");
-    const Term* shadowing = term(shadowings(), specular_->shadowings, material_.shadowing, "shadowing term");
-    const Term* distribution = term(distributions(), specular_->distributions, material_.distribution, "distribution");
-    bound_.choice.fresnel = fresnel_ ? fresnel_->number : 0;
-    bound_.choice.shadowing = shadowing ? shadowing->number : 0;
-    bound_.choice.distribution = distribution ? distribution->number : 0;
-    if (contains(specular_->parameters, "exponent"))
-      bound_.width_rule = specular_->name.starts_with("phong") ? WIDTH_chord_exponent : WIDTH_exponent;
-    else if (!contains(specular_->parameters, "alpha") && contains(specular_->parameters, "roughness"))
-      bound_.width_rule = WIDTH_roughness;
-  }
-
-  FieldSource from_value(const ParameterValue& value) {
-    FieldSource source;
-    if (const auto* constant = std::get_if<std::vector<double>>(&value)) {
-      source.constant = *constant;
-    } else if (const auto* layer = std::get_if<LayerValue>(&value)) {
-      source.role = layer_role(layer->layer);
-    } else {
-      source.texture = std::get<TextureValue>(value);
-      source.uv_role = layer_role(source.texture->uv.empty() ? "uv" : source.texture->uv);
-    }
-    return source;
-  }
-
-  /// A layer by a role's name or its own; the latter becomes a role.
-  std::string layer_role(const std::string& layer) {
-    if (!in_file(layer)) reading_.roles[layer] = find_(layer);
-    return layer;
-  }
-
-  std::optional<FieldSource> source_of(const std::string& name) {
-    if (const auto value = material_.parameters.find(name); value != material_.parameters.end()) return from_value(value->second);
-    if (in_file(name)) return FieldSource{{}, name, {}, {}, {}};
-    return {};
-  }
-
-  /// Finds where a kernel parameter's values come from.
-  void place(const std::string& name) {
-    const Parameter& parameter = parameter_named(name);
-    if (parameter.from_host || bound_.fields.contains(parameter.field)) return;
-    std::optional<FieldSource> source;
-    if (name == "alpha" && !given("alpha") && !in_file("alpha")) {
-      if ((source = source_of("roughness"))) source->transform = FieldSource::Transform::square;
-    } else if (name == "base_color") {
-      source = given("albedo") ? source_of("albedo") : source_of("base_color");
-    } else {
-      source = source_of(name);
-    }
-    if (!source) source = FieldSource{{parameter.fallback}, {}, {}, {}, {}};
-    bound_.fields[parameter.field] = *source;
-  }
-
-  void special_cases() {
-    if (diffuse_ && diffuse_->name == "plastic") make_plastic();
-    const bool principled = (diffuse_ && diffuse_->name == "principled") || (specular_ && specular_->name == "principled");
-    if (principled && !given("ior")) level_to_ior();
-    if (specular_ && (specular_->name == "cycles_principled" || specular_->name == "cycles_glossy")) cycles_roughness();
-    if (specular_ && specular_->name == "cycles_principled" && !given("albedo") && !in_file("base_color")) {
-      if (!in_file("glossy_albedo") || !in_file("albedo"))
-        throw Error(ErrorKind::input, place_ +
-                                          ": cycles_principled needs a base colour (layer \"Base Color\", --set albedo=...) or the passes GlossCol and DiffCol "
-                                          "to find it from");
-      bound_.solve_cycles = true;
-      note("base colour, metallic and specular level are not stored: found from GlossCol and DiffCol (--map base_color=LAYER names one)");
-    }
-  }
-
-  void cycles_roughness() {
-    if (given("roughness") || in_file("roughness")) return;
-    note("no roughness layer: 0.5 is assumed (--set roughness=VALUE or --map roughness=LAYER says otherwise)");
-  }
-
-  double constant_of(const char* lobe, const std::string& name) const {
-    const auto found = bound_.fields.find(parameter_named(name).field);
-    if (found == bound_.fields.end()) return parameter_named(name).fallback;
-    if (!found->second.is_constant())
-      throw Error(ErrorKind::input, std::string(lobe) + ": " + name + " must be a constant: a table is made for it (a layer or texture was given)");
-    return transformed(found->second.transform, found->second.constant.front());
-  }
-
-  void make_plastic() {
-    const double ior = constant_of("plastic", "ior");
-    FieldSource table{{-1.0}, {}, {}, {}, {}}, fdr{{smooth_internal_fdr(ior)}, {}, {}, {}, {}};
-    if (given("alpha") || given("roughness")) {
-      const std::string specular = specular_ ? std::string(specular_->name) : "";
-      const bool beckmann = specular == "beckmann" || specular == "cook_torrance";
-      const RoughTransmittance transmittance = rough_transmittance(beckmann, constant_of("plastic", "alpha"), ior);
-      table.constant = {double(tables_.size())};
-      fdr.constant = {transmittance.internal_fdr};
-      tables_.insert(tables_.end(), transmittance.external.begin(), transmittance.external.end());
-    }
-    bound_.fields[FIELD_table] = table;
-    bound_.fields[FIELD_fdr] = fdr;
-  }
-
-  /// Principled's ior from its specular level, which is the parameter that artists set.
-  void level_to_ior() {
-    std::optional<FieldSource> level = source_of("specular_level");
-    if (!level) return;
-    level->transform = FieldSource::Transform::ior_from_level;
-    bound_.fields[FIELD_ior] = *level;
-  }
-
-  const std::string& place_;
-  const LayerFinder& find_;
-  Reading& reading_;
-  std::vector<float>& tables_;
-  Material material_;
-  BoundMaterial bound_;
-  const Lobe *diffuse_ = nullptr, *specular_ = nullptr;
-  const Term* fresnel_ = nullptr;
-  std::vector<std::string> notes_;
-};
+bool same(const Choice& a, const Choice& b) {
+  return a.diffuse == b.diffuse && a.specular == b.specular && a.fresnel == b.fresnel && a.shadowing == b.shadowing &&
+         a.distribution == b.distribution;
+}
 
 }  // namespace
 
-Binding::Binding(const Material& command_line, const std::optional<MaterialFile>& file, const std::string& place, const LayerFinder& find, Reading& reading)
+Binding::Binding(const Material& command_line, const std::optional<MaterialFile>& file, const std::string& place, const LayerFinder& find,
+                 Reading& reading)
     : place_(place) {
   tables_.resize(RELUME_CYCLES_TABLES_LENGTH);  // first, where kernels/cycles_tables.h has them; filled if a lobe reads them
-  Binder binder(place_, find, reading, tables_);
+  const auto add = [&](const Material& material) {
+    materials_.push_back(bind_material(merged(material, command_line), place_, find, reading, tables_, notes_));
+    return int(materials_.size()) - 1;
+  };
   if (!file) {
-    materials_.push_back(binder.bind(command_line));
-    fallback_ = 0;
+    fallback_ = add({});
   } else {
-    for (const auto& [id, material] : file->by_id) {
-      by_id_[id] = int(materials_.size());
-      materials_.push_back(binder.bind(merged(material, command_line)));
-    }
-    if (file->fallback) {
-      fallback_ = int(materials_.size());
-      materials_.push_back(binder.bind(merged(*file->fallback, command_line)));
-    }
-    if (!by_id_.empty()) {
-      if (!file->ids.empty()) reading.roles["ids"] = find(file->ids);
-      if (!reading.roles.contains("ids"))
-        throw Error(ErrorKind::input, place_ + ": no layer of object ids for the material file (its \"ids\" names one; --map ids=LAYER too)");
-      roles_.push_back("ids");
-    }
+    for (const auto& [id, material] : file->by_id) by_id_[id] = add(material);
+    if (file->fallback) fallback_ = add(*file->fallback);
+    if (!by_id_.empty()) want_ids(file->ids, find, reading);
   }
-  notes_ = binder.notes();
-
   for (const BoundMaterial& material : materials_) {
-    const auto same = [&](const Choice& p) {
-      return p.diffuse == material.choice.diffuse && p.specular == material.choice.specular && p.fresnel == material.choice.fresnel &&
-             p.shadowing == material.choice.shadowing && p.distribution == material.choice.distribution;
-    };
-    const auto found = std::find_if(programs_.begin(), programs_.end(), same);
-    program_of_.push_back(int(found - programs_.begin()));
-    if (found == programs_.end()) {
-      programs_.push_back(material.choice);
-      width_rules_.push_back(material.width_rule);
-    }
-    for (const auto& [field, source] : material.fields)
-      for (const std::string& role : {source.role, source.uv_role})
-        if (!role.empty() && std::find(roles_.begin(), roles_.end(), role) == roles_.end()) roles_.push_back(role);
-    if (material.solve_cycles)
-      for (const char* role : {"glossy_albedo", "albedo"})
-        if (std::find(roles_.begin(), roles_.end(), role) == roles_.end()) roles_.push_back(role);
+    choose_program(material);
+    gather_roles(material);
   }
-  if (std::any_of(programs_.begin(), programs_.end(), [](const Choice& p) { return p.specular == SPECULAR_cycles_principled || p.specular == SPECULAR_cycles_glossy; })) {
+  finish_tables();
+}
+
+void Binding::want_ids(const std::string& layer, const LayerFinder& find, Reading& reading) {
+  if (!layer.empty()) reading.roles["ids"] = find(layer);
+  if (!reading.roles.contains("ids"))
+    throw Error(ErrorKind::input, place_ + ": no layer of object ids for the material file (its \"ids\" names one; --map ids=LAYER too)");
+  want("ids");
+}
+
+void Binding::want(const std::string& role) {
+  if (!role.empty() && std::find(roles_.begin(), roles_.end(), role) == roles_.end()) roles_.push_back(role);
+}
+
+void Binding::choose_program(const BoundMaterial& material) {
+  const auto found = std::find_if(programs_.begin(), programs_.end(), [&](const Choice& program) { return same(program, material.choice); });
+  program_of_.push_back(int(found - programs_.begin()));
+  if (found != programs_.end()) return;
+  programs_.push_back(material.choice);
+  width_rules_.push_back(material.width_rule);
+}
+
+void Binding::gather_roles(const BoundMaterial& material) {
+  for (const auto& [field, source] : material.fields)
+    for (const std::string& role : {source.role, source.uv_role}) want(role);
+  if (!material.solve_cycles) return;
+  want("glossy_albedo");
+  want("albedo");
+}
+
+void Binding::finish_tables() {
+  const auto reads_cycles = [](const Choice& p) { return p.specular == SPECULAR_cycles_principled || p.specular == SPECULAR_cycles_glossy; };
+  if (std::any_of(programs_.begin(), programs_.end(), reads_cycles)) {
     const std::vector<float> cycles = cycles_tables();
     std::copy(cycles.begin(), cycles.end(), tables_.begin());
   }
-  ambient_begin_ = int(tables_.size());
   const std::vector<float> nodes = ambient_nodes();
+  ambient_begin_ = int(tables_.size());
   ambient_count_ = int(nodes.size() / 4);
   tables_.insert(tables_.end(), nodes.begin(), nodes.end());
 }
@@ -288,7 +100,9 @@ int Binding::spare_planes() const {
 }
 
 std::vector<std::string> Binding::descriptions() const {
-  const auto lobe_name = [](const std::vector<Lobe>& lobes, int number) { return number == 0 ? std::string("none") : std::string(lobes[std::size_t(number - 1)].name); };
+  const auto lobe_name = [](const std::vector<Lobe>& lobes, int number) {
+    return number == 0 ? std::string("none") : std::string(lobes[std::size_t(number - 1)].name);
+  };
   std::vector<std::string> all;
   for (const Choice& program : programs_) {
     std::string text = lobe_name(diffuse_lobes(), program.diffuse) + " + " + lobe_name(specular_lobes(), program.specular), terms;

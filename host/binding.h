@@ -1,42 +1,15 @@
 // From materials and a band of the G-buffer to what the kernels read: a program for each pair of lobes, a field for each parameter.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "gbuffer/gbuffer.h"
-#include "host/frame.h"
-#include "host/materials.h"
+#include "host/bound_material.h"
 
 namespace relume {
-
-/// Finds a layer by the name that a person gave it: gbuffer/reading.h's find_layer over a file, or columns of a table.
-using LayerFinder = std::function<RoleLayer(const std::string& layer)>;
-
-/// Where a kernel's field takes its values from.
-struct FieldSource {
-  std::vector<double> constant;  ///< 1 or 3 numbers, if it is one
-  std::string role;              ///< else a role of the G-buffer
-  std::optional<TextureValue> texture;
-  std::string uv_role;           ///< of the texture's coordinates
-  enum class Transform { none, square, ior_from_level } transform = Transform::none;  ///< roughness for alpha; specular level for ior
-
-  bool is_constant() const { return role.empty() && !texture; }
-};
-
-double transformed(FieldSource::Transform transform, double value);
-
-/// A material with every question answered: lobes by number, each field's source.
-struct BoundMaterial {
-  Choice choice{};
-  int width_rule = WIDTH_alpha;
-  Facing facing = Facing::as_stored;
-  std::map<int, FieldSource> fields;  ///< FIELD_... of those that its lobes read
-  bool solve_cycles = false;          ///< base colour, metallic and specular level are to be found from GlossCol and DiffCol
-};
 
 /// The materials of a frame, made once; knows which roles of the file it needs.
 class Binding {
@@ -66,6 +39,11 @@ class Binding {
   void bind_irradiance(GBuffer& gbuffer, Frame& frame) const;
 
  private:
+  void want_ids(const std::string& layer, const LayerFinder& find, Reading& reading);
+  void want(const std::string& role);
+  void choose_program(const BoundMaterial& material);
+  void gather_roles(const BoundMaterial& material);
+  void finish_tables();
   std::vector<int> materials_of_pixels(const GBuffer& gbuffer) const;
   void fill_program_plane(GBuffer& gbuffer, const std::vector<int>& material, Frame& frame) const;
   void solve_cycles_surfaces(GBuffer& gbuffer, const Camera& camera) const;

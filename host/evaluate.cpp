@@ -29,6 +29,7 @@ Material material_of(const std::string& brdf, const std::vector<std::string>& se
     throw Error(ErrorKind::input, "no BRDF \"" + brdf + "\" (has: " + names + ")");
   }
   for (const std::string& assignment : set) set_parameter(material, assignment);
+  check(material, "--set");
   return material;
 }
 

@@ -153,9 +153,7 @@ std::vector<std::string_view> user_parameters(const Lobe& lobe) {
 }
 
 std::vector<std::string_view> user_parameters(const Term& fresnel) {
-  std::vector<std::string_view> names = given_by_users(fresnel.parameters);
-  if (contains(names, "metallic")) add_once(names, "albedo");
-  return names;
+  return given_by_users(fresnel.parameters);
 }
 
 }  // namespace relume

@@ -1,10 +1,7 @@
 // relight(): understand the file, bind materials, shade band by band, write.
 #include "host/relight.h"
 
-#include <tbb/parallel_reduce.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -15,46 +12,13 @@
 #include "host/camera_choice.h"
 #include "host/device.h"
 #include "host/light_records.h"
+#include "host/output_layout.h"
 #include "host/self_test.h"
+#include "host/stopwatch.h"
 #include "host/twin.h"
 
 namespace relume {
 namespace {
-
-class Stopwatch {
- public:
-  explicit Stopwatch(RelightSummary& summary) : summary_(summary) {}
-  /// Adds the time since the last call to a stage.
-  void lap(const std::string& stage) {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    auto& laps = summary_.seconds;
-    const auto found = std::find_if(laps.begin(), laps.end(), [&](const auto& lap) { return lap.first == stage; });
-    if (found == laps.end())
-      laps.emplace_back(stage, seconds);
-    else
-      found->second += seconds;
-  }
-
- private:
-  RelightSummary& summary_;
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
-/// The output's channels and the planes of a band that hold them: total R G B and alpha first, then the layers asked for.
-struct OutputLayout {
-  std::vector<std::string> channels{"R", "G", "B", "A"};
-  int diffuse = -1, specular = -1, ambient = -1, lights = -1;
-  static constexpr int total = 0, alpha = 3;
-
-  int planes() const { return int(channels.size()); }
-  int add_colour(const std::string& layer) {
-    const int first = planes();
-    for (const char* c : {".R", ".G", ".B"}) channels.push_back(layer + c);
-    return first;
-  }
-};
 
 OutputLayout layout_of(const RelightJob& job, const LightRecords& lights) {
   OutputLayout layout;
@@ -72,13 +36,15 @@ OutputLayout layout_of(const RelightJob& job, const LightRecords& lights) {
 /// One relight in progress: what the stages share.
 class Relight {
  public:
-  Relight(const RelightJob& job, const Observer& observer) : job_(job), observer_(observer), watch_(summary_), file_(job.gbuffer) {}
+  Relight(const RelightJob& job, const Observer& observer) : job_(job), observer_(observer), file_(job.gbuffer) {}
 
   RelightSummary run() {
     understand_all();
     open();
     shade_and_write();
-    summary_.pixel_lights_per_second = shading_seconds_ > 0 ? double(summary_.surface_pixels) * summary_.lights / shading_seconds_ : 0;
+    const double shading = watch_.seconds("shade");
+    summary_.pixel_lights_per_second = shading > 0 ? double(summary_.surface_pixels) * summary_.lights / shading : 0;
+    summary_.seconds = watch_.laps();
     return std::move(summary_);
   }
 
@@ -88,7 +54,7 @@ class Relight {
   std::unique_ptr<Device> open_tested_device();
   void shade_and_write();
   void shade_band(GBuffer& gbuffer, Planes& out);
-  void shade_lights(Band& band, Frame frame, Planes& out);
+  void shade_lights(Band& band, Frame frame);
   void write_alpha(const GBuffer& gbuffer, Planes& out) const;
   Frame frame_of(const GBuffer& gbuffer, const Planes& out) const;
   glm::dvec3 mean_irradiance();
@@ -115,7 +81,6 @@ class Relight {
   std::unique_ptr<Device> device_;
   Window window_;
   glm::dvec3 ambient_{0};
-  double shading_seconds_ = 0;
 };
 
 void Relight::understand_all() {
@@ -131,12 +96,14 @@ void Relight::understand_all() {
   reading_ = understand_with_camera(file_, options, rig_.camera);
   std::optional<MaterialFile> materials;
   if (job_.materials) materials = read_materials(*job_.materials);
-  binding_.emplace(job_.material, materials, job_.gbuffer.string(), [this](const std::string& layer) { return find_layer(file_, reading_, layer); }, reading_);
+  binding_.emplace(
+      job_.material, materials, job_.gbuffer.string(), [this](const std::string& layer) { return find_layer(file_, reading_, layer); }, reading_);
   lights_ = light_records(rig_.lights);
   summary_.convention = reading_.convention;
   summary_.lights = int(lights_.records.size());
   summary_.programs = binding_->descriptions();
-  for (const std::vector<std::string>* notes : {&std::as_const(rig_.notes), &std::as_const(reading_.notes), &binding_->notes()}) summary_.notes.insert(summary_.notes.end(), notes->begin(), notes->end());
+  for (const std::vector<std::string>* notes : {&std::as_const(rig_.notes), &std::as_const(reading_.notes), &binding_->notes()})
+    summary_.notes.insert(summary_.notes.end(), notes->begin(), notes->end());
   window_ = reading_.data_window;
   if (job_.crop) {
     window_ = {std::max(window_.min_x, job_.crop->min_x), std::max(window_.min_y, job_.crop->min_y), std::min(window_.max_x, job_.crop->max_x),
@@ -174,13 +141,14 @@ void Relight::open() {
 int Relight::band_rows() const {
   const std::int64_t in = 3 + 3 + 3 + 1 + 1 + 3 * std::int64_t(roles_.size()) + binding_->spare_planes(), out = layout_.planes();
   const std::int64_t largest = std::max(in, out), row = window_.width() * std::int64_t(sizeof(float));
-  const std::int64_t by_memory = job_.memory / ((in + out) * row), by_device = std::int64_t(device_->info().max_allocation / std::uint64_t(largest * row));
+  const std::int64_t by_memory = job_.memory / ((in + out) * row),
+                     by_device = std::int64_t(device_->info().max_allocation / std::uint64_t(largest * row));
   // Offsets into the planes are 32-bit ints.
   const std::int64_t by_index = (std::int64_t(1) << 31) / (largest * window_.width()) - 1;
   const std::int64_t rows = std::min({by_memory, by_device, by_index, std::int64_t(window_.height())});
   if (rows < 1)
-    throw Error(ErrorKind::memory, job_.gbuffer.string() + ": one row needs " + std::to_string((in + out) * row) + " bytes of planes; --memory allows " +
-                                       std::to_string(job_.memory));
+    throw Error(ErrorKind::memory, job_.gbuffer.string() + ": one row needs " + std::to_string((in + out) * row) +
+                                       " bytes of planes; --memory allows " + std::to_string(job_.memory));
   return int(rows);
 }
 
@@ -231,13 +199,13 @@ void Relight::shade_band(GBuffer& gbuffer, Planes& out) {
     frame.width_rule = binding_->width_rule(int(p));
     band->shade(binding_->programs()[p], frame, report);
   }
-  if (layout_.lights >= 0) shade_lights(*band, frame, out);
+  if (layout_.lights >= 0) shade_lights(*band, frame);
   band->finish();
   watch_.lap("shade");
 }
 
 /// Each light alone, into its own layer.
-void Relight::shade_lights(Band& band, Frame frame, Planes&) {
+void Relight::shade_lights(Band& band, Frame frame) {
   frame.diffuse = frame.specular = frame.ambient_out = -1;
   frame.ambient[3] = 0;
   for (int k = 0; k < int(lights_.records.size()); ++k) {
@@ -272,7 +240,8 @@ glm::dvec3 Relight::mean_irradiance() {
     frame.program = 0;
     binding_->bind_irradiance(gbuffer, frame);
     const auto band = device_->bind({&gbuffer.planes, lights_.records, binding_->tables(), &out});
-    band->shade({DIFFUSE_lambert, SPECULAR_none, 0, 0, 0}, frame, [&](std::int64_t) { progress("ambient", double(row - window_.min_y) / window_.height()); });
+    band->shade({DIFFUSE_lambert, SPECULAR_none, 0, 0, 0}, frame,
+                [&](std::int64_t) { progress("ambient", double(row - window_.min_y) / window_.height()); });
     band->finish();
     for (int c = 0; c < 3; ++c)
       for (std::int64_t i = 0; i < gbuffer.window.pixels(); ++i) sum[c] += out.plane(c)[i];
@@ -316,8 +285,6 @@ void Relight::shade_and_write() {
     if (job_.png) keep_for_png(out, gbuffer.window, picture);
     watch_.lap("write");
   }
-  for (const auto& [stage, seconds] : summary_.seconds)
-    if (stage == "shade") shading_seconds_ = seconds;
   if (summary_.bad_pixels)
     note(std::to_string(summary_.bad_pixels) + " pixels have a NaN or infinite position or normal: written as showing no surface");
   writer.commit();

@@ -1,143 +1,21 @@
 // self_test: a small made-up band through the device and the twin.
 #include "host/self_test.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstring>
-#include <limits>
-#include <random>
+#include <string>
 
 #include "gbuffer/error.h"
-#include "host/ambient_nodes.h"
+#include "host/test_band.h"
 #include "host/twin.h"
-#include "kernels/cycles_tables.h"
 
 namespace relume {
-namespace {
-
-constexpr int pixels = 83;  // no multiple of any lane count
-
-/// Planes: position 0-2, normal 3-5, program 6, one more for each parameter's component.
-struct TestBand {
-  Planes planes{pixels, 7 + 3 * FIELD_COUNT};
-  Frame frame{};
-  std::vector<LightRecord> lights;
-  std::vector<float> tables;
-};
-
-void place_field(TestBand& band, int field, int components, std::mt19937& random, double low, double high) {
-  const int first = band.planes.add(components);
-  std::uniform_real_distribution<float> value{float(low), float(high)};
-  for (int c = 0; c < components; ++c)
-    for (int i = 0; i < pixels; ++i) band.planes.plane(first + c)[i] = i % 7 == 3 ? float(low) : i % 7 == 5 ? float(high) : value(random);
-  band.frame.field[field] = {int(band.planes.stride()) * first, 1, int(band.planes.stride())};
-}
-
-void place_constant(TestBand& band, int field, float constant) {
-  const int first = band.planes.add();
-  band.planes.plane(first)[0] = constant;
-  band.frame.field[field] = {int(band.planes.stride()) * first, 0, 0};
-}
-
-void make_lights(TestBand& band) {
-  LightRecord light{};
-  const float values[3] = {7, 11, 13}, towards[3] = {-0.6f, 0.0f, -0.8f}, where[3] = {2, 1, 3};
-  std::memcpy(light.intensity, values, sizeof values);
-  std::memcpy(light.direction, towards, sizeof towards);
-  std::memcpy(light.position, where, sizeof where);
-  light.range_begin = 1;
-  light.range = 6;
-  light.inner = 0.97f;
-  light.outer = 0.6f;
-  const int falloffs[] = {FALLOFF_inverse_square, FALLOFF_windowed, FALLOFF_linear, FALLOFF_none};
-  for (int type = 0; type < LIGHT_COUNT; ++type) {
-    band.frame.light_begin[type] = int(band.lights.size());
-    for (int k = 0; k < 4; ++k) {
-      light.falloff = falloffs[k];
-      light.cone = k % 3;
-      light.position[k % 3] -= 0.7f;
-      if (light.cone == CONE_linear) light.inner = 0.2f, light.outer = 0.9f;
-      band.lights.push_back(light);
-    }
-  }
-  band.frame.light_begin[LIGHT_COUNT] = int(band.lights.size());
-}
-
-void make_pixels(TestBand& band, std::mt19937& random) {
-  std::normal_distribution<float> any;
-  const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
-  for (int i = 0; i < pixels; ++i) {
-    float n[3] = {any(random), any(random), any(random) + 2};
-    const float length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    for (int c = 0; c < 3; ++c) {
-      band.planes.plane(c)[i] = any(random);
-      band.planes.plane(3 + c)[i] = i == 10 ? 0 : i == 11 ? nan : n[c] / length;
-    }
-    if (i == 12) band.planes.plane(0)[i] = nan;
-    if (i == 13) band.planes.plane(1)[i] = infinity;
-    if (i == 14) std::memcpy(&band.planes.plane(2)[i], &band.lights[4].position[2], sizeof(float));
-  }
-  for (std::size_t i = 0; i < band.planes.stride(); ++i) band.planes.plane(6)[i] = i < pixels ? 0.0f : -1.0f;
-}
-
-/// Cycles' tables stand first (any numbers do here), then ambient's nodes.
-void make_tables(TestBand& band) {
-  for (int i = 0; i < RELUME_CYCLES_TABLES_LENGTH; ++i) band.tables.push_back(0.5f + 0.5f * float(i % 37) / 37);
-  const std::vector<float> nodes = ambient_nodes();
-  band.frame.nodes = int(band.tables.size());
-  band.frame.node_count = int(nodes.size() / 4);
-  band.tables.insert(band.tables.end(), nodes.begin(), nodes.end());
-}
-
-TestBand make_band() {
-  TestBand band;
-  std::mt19937 random(20241122);
-  band.planes.add(7);
-  make_tables(band);
-  make_lights(band);
-  make_pixels(band, random);
-#define RELUME_PLACE(name, components, fallback, lowest, highest, meaning) place_field(band, FIELD_##name, components, random, lowest, highest);
-  RELUME_PARAMETERS(RELUME_PLACE)
-  place_constant(band, FIELD_table, -1);
-  place_constant(band, FIELD_coverage, 1);
-  place_constant(band, FIELD_facing, FACING_as_stored);
-  Frame& frame = band.frame;
-  frame.pixels = pixels;
-  frame.plane_stride = int(band.planes.stride());
-  frame.program_plane = 6;
-  frame.normal = 3;
-  frame.base_normal = -1;
-  const float viewer[4] = {0.3f, -0.4f, 5, 1}, ambient[4] = {0.1f, 0.2f, 0.3f, 1};
-  std::memcpy(frame.viewer, viewer, sizeof viewer);
-  std::memcpy(frame.ambient, ambient, sizeof ambient);
-  frame.total = 0;
-  frame.diffuse = 3;
-  frame.specular = 6;
-  frame.ambient_out = 9;
-  return band;
-}
-
-Planes shade(Device& device, TestBand& band, const Choice& choice) {
-  Planes out(pixels, 12);
-  out.add(12);
-  band.frame.out_stride = int(out.stride());
-  const auto bound = device.bind({&band.planes, band.lights, band.tables, &out});
-  bound->shade(choice, band.frame, {});
-  bound->finish();
-  return out;
-}
-
-}  // namespace
 
 void self_test(Device& device, const Choice& choice) {
-  TestBand band = make_band();
-  const Planes here = shade(device, band, choice), there = shade(*open_twin(), band, choice);
-  for (int plane = 0; plane < 12; ++plane)
-    for (int i = 0; i < pixels; ++i) {
+  const Planes here = shade_test_band(device, choice, TestRange::whole), there = shade_test_band(*open_twin(), choice, TestRange::whole);
+  const double allowed = device.info().correctly_rounded ? 0 : self_test_tolerance;
+  for (int plane = 0; plane < test_planes; ++plane)
+    for (int i = 0; i < test_pixels; ++i) {
       const float a = here.plane(plane)[i], b = there.plane(plane)[i];
-      const double allowed = device.info().correctly_rounded ? 0 : self_test_tolerance * std::max({std::fabs(double(a)), std::fabs(double(b)), 1e-3});
-      if (!(std::fabs(double(a) - double(b)) <= allowed))
+      if (!(test_difference(a, b) <= allowed))
         throw Error(ErrorKind::device, device.info().name + ": self-test: pixel " + std::to_string(i) + " of plane " + std::to_string(plane) + " is " +
                                            std::to_string(a) + ", the C++ twin has " + std::to_string(b) + " (--device twin needs no driver)");
     }

@@ -1,11 +1,14 @@
 // Ambient light: the same radiance from everywhere. What leaves is that radiance times the BRDF's directional albedo, integrated over the
-// hemisphere by a fixed quadrature that the host makes (Gauss-Legendre in u, midpoints in phi; every lobe is mirror-symmetric about the plane of v).
-// The diffuse lobe takes directions with pdf cos/pi; the specular one half vectors with the pdf of GGX (Walter et al. 2007) as wide as the lobe.
+// hemisphere by a fixed quadrature that the host makes (host/ambient_nodes.cpp; every lobe is mirror-symmetric about the plane of v).
+// The diffuse lobe takes directions with pdf cos/pi; the specular one the facets that v sees on a GGX surface as wide as the lobe, bounded to those
+// that reflect above the horizon: Eto and Tokuyoshi 2023, "Bounded VNDF Sampling for Smith-GGX Reflections". That bound leaves the integrand nearly
+// smooth, where facets drawn by D n.h lose a third of the nodes below the horizon.
 #ifndef RELUME_AMBIENT_H
 #define RELUME_AMBIENT_H
 
 #include "kernels/brdf.h"
 #include "kernels/frame.h"
+#include "kernels/microfacet/width.h"
 
 typedef struct {
   real3 t, b, n;
@@ -24,19 +27,14 @@ RELUME_FN Basis basis_of(real3 n, real3 v) {
   return basis;
 }
 
-/// The unit direction with tan^2 of its angle to n, at the azimuth given.
-RELUME_FN real3 direction_at(Basis basis, real tan2, float cos_phi, float sin_phi) {
-  const real cosine = 1.0f / square_root(1.0f + tan2);
-  const real sine = square_root(tan2) * cosine;
-  return add3(scale3(basis.n, cosine), add3(scale3(basis.t, sine * cos_phi), scale3(basis.b, sine * sin_phi)));
-}
+RELUME_FN real3 out_of(Basis basis, real x, real y, real z) { return add3(scale3(basis.n, z), add3(scale3(basis.t, x), scale3(basis.b, y))); }
 
 /// The width of the half vectors' distribution that suits the lobe.
 RELUME_FN real lobe_width(int rule, Surface s) {
   if (rule == WIDTH_exponent) return square_root(2.0f / (s.exponent + 2.0f));
   if (rule == WIDTH_chord_exponent) return square_root(2.0f / (4.0f * s.exponent + 2.0f));  // R_v turns twice as fast as h
-  if (rule == WIDTH_roughness) return larger(squared(s.roughness), all_lanes(1e-3f));
-  return larger(s.alpha, all_lanes(1e-3f));
+  if (rule == WIDTH_roughness) return larger(squared(s.roughness), all_lanes(1e-3f));  // principled's and Cycles' least
+  return width_of(s);
 }
 
 RELUME_FN real3 diffuse_albedo(Choice choice, RELUME_GLOBAL const Frame* frame, Surface s, Basis basis) {
@@ -44,26 +42,51 @@ RELUME_FN real3 diffuse_albedo(Choice choice, RELUME_GLOBAL const Frame* frame, 
   real3 sum = grey(all_lanes(0.0f));
   for (int k = 0; k < frame->node_count; ++k) {
     RELUME_GLOBAL const float* node = s.tables + frame->nodes + 4 * k;
-    const real3 l = direction_at(basis, all_lanes(node[0]), node[1], node[2]);
+    const real cosine = square_root(all_lanes(1.0f - node[0])), sine = square_root(all_lanes(node[0]));
+    const real3 l = out_of(basis, sine * node[1], sine * node[2], cosine);
     const Cosines c = cosines_of(s.n, l, s.v);
     sum = add3(sum, scale3(reflect_diffuse(choice.diffuse, c, s), node[3] * RELUME_PI / c.n_l));
   }
   return sum;
 }
 
+/// The viewer before a surface that is stretched by 1/width, where the visible facets are those of a hemisphere.
+typedef struct {
+  real width;
+  real x, z;       // of the stretched unit direction to the viewer, in the plane of n and v
+  real span;       // z of the cap that its reflections fill: from 1 down by this
+  real normaliser; // 1/pdf of a direction l is this over D of its half vector
+} StretchedView;
+
+RELUME_FN StretchedView stretched_view(real width, real n_v, real sine_v) {
+  StretchedView view;
+  const real length = square_root(squared(width * sine_v) + squared(n_v));
+  const real a2 = squared(smaller(width, all_lanes(1.0f))), s2 = squared(1.0f + sine_v);
+  const real k = (1.0f - a2) * s2 / (s2 + a2 * squared(n_v));
+  view.width = width;
+  view.x = width * sine_v / length;
+  view.z = n_v / length;
+  view.span = 1.0f + k * view.z;
+  view.normaliser = 2.0f * (k * n_v + length);
+  return view;
+}
+
 RELUME_FN real3 specular_albedo(Choice choice, RELUME_GLOBAL const Frame* frame, Surface s, Basis basis) {
   real3 sum = grey(all_lanes(0.0f));
   if (choice.specular == SPECULAR_none) return sum;
-  const real a2 = squared(lobe_width(frame->width_rule, s));
+  const StretchedView view = stretched_view(lobe_width(frame->width_rule, s), s.n_v, dot3(s.v, basis.t));
+  const real a2 = squared(view.width);
   for (int k = 0; k < frame->node_count; ++k) {
     RELUME_GLOBAL const float* node = s.tables + frame->nodes + 4 * k;
-    const real tan2 = a2 * node[0];
-    const real3 h = direction_at(basis, tan2, node[1], node[2]);
+    const real down = node[0] * view.span;                     // 1 - z on the cap
+    const real sine = square_root(down * (2.0f - down));       // sqrt(1 - z^2) without its cancellation
+    const real x = view.width * (sine * node[1] + view.x), y = view.width * (sine * node[2]), z = 1.0f - down + view.z;
+    const real across2 = squared(x) + squared(y), length2 = across2 + squared(z);
+    const real3 h = scale3(out_of(basis, x, y, z), 1.0f / square_root(length2));
     const real v_dot_h = dot3(s.v, h);
     const Cosines c = cosines_of(s.n, subtract3(scale3(h, 2.0f * v_dot_h), s.v), s.v);
-    // 1/pdf of l: 4 v.h / (D n.h), D of GGX
-    const real root = 1.0f + tan2, wide = tan2 + a2;
-    const real per_pdf = 4.0f * v_dot_h * RELUME_PI * squared(wide) * square_root(root) / (a2 * squared(root));
+    // 1/D = pi (across2 + a^2 z^2)^2/(a^2 length^4)
+    const real per_pdf = view.normaliser * RELUME_PI * squared((across2 + a2 * squared(z)) / length2) / a2;
     const mask above = (c.n_l > 0.0f) & (v_dot_h > 0.0f);
     const real3 value = scale3(reflect_specular(choice.specular, c, s), node[3] * per_pdf);
     sum = add3(sum, choose3(above, value, grey(all_lanes(0.0f))));

@@ -44,7 +44,7 @@ typedef struct {
   int bump_shadowing;
   float viewer[4];   // the eye, 1; or the unit direction to an orthographic viewer, 0
   float ambient[4];  // radiance from everywhere, rgb; the fourth is 0 where there is none
-  int nodes;         // ambient's quadrature in the tables: node_count times tan^2, cos phi, sin phi, weight
+  int nodes;         // ambient's quadrature in the tables: node_count times u, cos phi, sin phi, weight
   int node_count;
   int width_rule;    // WIDTH_*: where the specular lobe's width is found
   int light_begin[LIGHT_COUNT + 1];  // lights are sorted by type: [begin[t], begin[t + 1])

@@ -1,0 +1,205 @@
+// bind_material: lobes, terms, then each of their parameters.
+#include "host/bound_material.h"
+
+#include <algorithm>
+
+#include "gbuffer/error.h"
+#include "host/ior.h"
+#include "host/lobes.h"
+#include "host/rough_transmittance.h"
+
+namespace relume {
+namespace {
+
+bool contains(const std::vector<std::string_view>& list, std::string_view name) { return std::find(list.begin(), list.end(), name) != list.end(); }
+
+/// Builds one BoundMaterial from what a user said and what the file holds.
+class Binder {
+ public:
+  Binder(const Material& material, const std::string& place, const LayerFinder& find, Reading& reading, std::vector<float>& tables,
+         std::vector<std::string>& notes)
+      : material_(material), place_(place), find_(find), reading_(reading), tables_(tables), notes_(notes) {}
+
+  BoundMaterial bind() {
+    choose_lobes();
+    choose_terms();
+    bound_.facing = material_.twosided ? (*material_.twosided ? Facing::two_sided : Facing::one_sided) : reading_.facing;
+    for (const Lobe* lobe : {diffuse_, specular_})
+      if (lobe)
+        for (const std::string_view name : lobe->parameters) place(std::string(name));
+    if (fresnel_)
+      for (const std::string_view name : fresnel_->parameters) place(std::string(name));
+    special_cases();
+    return bound_;
+  }
+
+ private:
+  bool given(const std::string& parameter) const { return material_.parameters.contains(parameter); }
+  bool in_file(const std::string& role) const { return reading_.roles.contains(role); }
+  void note(const std::string& text) {
+    if (std::find(notes_.begin(), notes_.end(), text) == notes_.end()) notes_.push_back(text);
+  }
+
+  void choose_lobes() {
+    const bool automatic = material_.specular.empty() && material_.diffuse.empty();
+    if (material_.diffuse.empty()) material_.diffuse = reading_.default_diffuse;
+    if (material_.specular.empty()) material_.specular = reading_.default_specular;
+    // A Blender file without GlossCol and without a base colour says nothing of a highlight.
+    if (automatic && material_.specular == "cycles_principled" && !in_file("glossy_albedo") && !in_file("base_color") && !given("albedo"))
+      material_.specular = "none";
+    diffuse_ = material_.diffuse == "none" ? nullptr : &lobe_named(true, material_.diffuse);
+    specular_ = material_.specular == "none" ? nullptr : &lobe_named(false, material_.specular);
+    bound_.choice.diffuse = diffuse_ ? diffuse_->number : int(DIFFUSE_none);
+    bound_.choice.specular = specular_ ? specular_->number : int(SPECULAR_none);
+  }
+
+  /// The term named, which must be one of the lobe's, else the lobe's first.
+  const Term* term(const std::vector<Term>& terms, const std::vector<std::string_view>& allowed, const std::string& named, const char* kind) const {
+    if (allowed.empty()) return nullptr;
+    if (named.empty()) return &term_named(terms, allowed.front(), kind);
+    const Term& chosen = term_named(terms, named, kind);
+    if (contains(allowed, chosen.name)) return &chosen;
+    std::string list;
+    for (const std::string_view name : allowed) list += (list.empty() ? "" : ", ") + std::string(name);
+    throw Error(ErrorKind::input, std::string(specular_->name) + " takes no " + kind + " \"" + named + "\" (has: " + list + ")");
+  }
+
+  void choose_terms() {
+    fresnel_ = nullptr;
+    if (!specular_) return;
+    fresnel_ = fresnel_of(material_, *specular_);
+    const Term* shadowing = term(shadowings(), specular_->shadowings, material_.shadowing, "shadowing term");
+    const Term* distribution = term(distributions(), specular_->distributions, material_.distribution, "distribution");
+    bound_.choice.fresnel = fresnel_ ? fresnel_->number : 0;
+    bound_.choice.shadowing = shadowing ? shadowing->number : 0;
+    bound_.choice.distribution = distribution ? distribution->number : 0;
+    if (contains(specular_->parameters, "exponent"))
+      bound_.width_rule = specular_->name.starts_with("phong") ? WIDTH_chord_exponent : WIDTH_exponent;
+    else if (!contains(specular_->parameters, "alpha") && contains(specular_->parameters, "roughness"))
+      bound_.width_rule = WIDTH_roughness;
+  }
+
+  FieldSource from_value(const ParameterValue& value) {
+    FieldSource source;
+    if (const auto* constant = std::get_if<std::vector<double>>(&value)) {
+      source.constant = *constant;
+    } else if (const auto* layer = std::get_if<LayerValue>(&value)) {
+      source.role = layer_role(layer->layer);
+    } else {
+      source.texture = std::get<TextureValue>(value);
+      source.uv_role = layer_role(source.texture->uv.empty() ? "uv" : source.texture->uv);
+    }
+    return source;
+  }
+
+  /// A layer by a role's name or its own; the latter becomes a role.
+  std::string layer_role(const std::string& layer) {
+    if (!in_file(layer)) reading_.roles[layer] = find_(layer);
+    return layer;
+  }
+
+  std::optional<FieldSource> source_of(const std::string& name) {
+    if (const auto value = material_.parameters.find(name); value != material_.parameters.end()) return from_value(value->second);
+    if (in_file(name)) return FieldSource{{}, name, {}, {}, {}};
+    return {};
+  }
+
+  /// Finds where a kernel parameter's values come from.
+  void place(const std::string& name) {
+    const Parameter& parameter = parameter_named(name);
+    if (parameter.from_host || bound_.fields.contains(parameter.field)) return;
+    std::optional<FieldSource> source;
+    if (name == "alpha" && !given("alpha") && !in_file("alpha")) {
+      if ((source = source_of("roughness"))) source->transform = FieldSource::Transform::square;
+    } else if (name == "base_color") {
+      source = given("albedo") ? source_of("albedo") : source_of("base_color");
+    } else {
+      source = source_of(name);
+    }
+    if (!source) source = FieldSource{{parameter.fallback}, {}, {}, {}, {}};
+    bound_.fields[parameter.field] = *source;
+  }
+
+  void special_cases() {
+    if (diffuse_ && diffuse_->name == "plastic") make_plastic();
+    const bool principled = (diffuse_ && diffuse_->name == "principled") || (specular_ && specular_->name == "principled");
+    if (principled && !given("ior")) level_to_ior();
+    if (specular_ && (specular_->name == "cycles_principled" || specular_->name == "cycles_glossy")) cycles_roughness();
+    if (specular_ && specular_->name == "cycles_principled" && !given("albedo") && !in_file("base_color")) {
+      if (!in_file("glossy_albedo") || !in_file("albedo"))
+        throw Error(ErrorKind::input,
+                    place_ +
+                        ": cycles_principled needs a base colour (layer \"Base Color\", --set albedo=...) or the passes GlossCol and DiffCol "
+                        "to find it from");
+      bound_.solve_cycles = true;
+      note("base colour, metallic and specular level are not stored: found from GlossCol and DiffCol (--map base_color=LAYER names one)");
+    }
+  }
+
+  void cycles_roughness() {
+    if (given("roughness") || in_file("roughness")) return;
+    note("no roughness layer: 0.5 is assumed (--set roughness=VALUE or --map roughness=LAYER says otherwise)");
+  }
+
+  double constant_of(const char* lobe, const std::string& name) const {
+    const auto found = bound_.fields.find(parameter_named(name).field);
+    if (found == bound_.fields.end()) return parameter_named(name).fallback;
+    if (!found->second.is_constant())
+      throw Error(ErrorKind::input, std::string(lobe) + ": " + name + " must be a constant: a table is made for it (a layer or texture was given)");
+    return transformed(found->second.transform, found->second.constant.front());
+  }
+
+  void make_plastic() {
+    const double ior = constant_of("plastic", "ior");
+    FieldSource table{{-1.0}, {}, {}, {}, {}}, fdr{{smooth_internal_fdr(ior)}, {}, {}, {}, {}};
+    if (given("alpha") || given("roughness")) {
+      const std::string specular = specular_ ? std::string(specular_->name) : "";
+      const bool beckmann = specular == "beckmann" || specular == "cook_torrance";
+      const RoughTransmittance transmittance = rough_transmittance(beckmann, constant_of("plastic", "alpha"), ior);
+      table.constant = {double(tables_.size())};
+      fdr.constant = {transmittance.internal_fdr};
+      tables_.insert(tables_.end(), transmittance.external.begin(), transmittance.external.end());
+    }
+    bound_.fields[FIELD_table] = table;
+    bound_.fields[FIELD_fdr] = fdr;
+  }
+
+  /// Principled's ior from its specular level, which is the parameter that artists set.
+  void level_to_ior() {
+    std::optional<FieldSource> level = source_of("specular_level");
+    if (!level) return;
+    level->transform = FieldSource::Transform::ior_from_level;
+    bound_.fields[FIELD_ior] = *level;
+  }
+
+  Material material_;  ///< its "auto" lobes are named once choose_lobes() has run
+  const std::string& place_;
+  const LayerFinder& find_;
+  Reading& reading_;
+  std::vector<float>& tables_;
+  std::vector<std::string>& notes_;
+  BoundMaterial bound_;
+  const Lobe *diffuse_ = nullptr, *specular_ = nullptr;
+  const Term* fresnel_ = nullptr;
+};
+
+}  // namespace
+
+double transformed(FieldSource::Transform transform, double value) {
+  switch (transform) {
+    case FieldSource::Transform::square:
+      return value * value;
+    case FieldSource::Transform::ior_from_level:
+      return ior_from_specular_level(value);
+    case FieldSource::Transform::none:
+      break;
+  }
+  return value;
+}
+
+BoundMaterial bind_material(const Material& material, const std::string& place, const LayerFinder& find, Reading& reading, std::vector<float>& tables,
+                            std::vector<std::string>& notes) {
+  return Binder(material, place, find, reading, tables, notes).bind();
+}
+
+}  // namespace relume
