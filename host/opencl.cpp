@@ -6,19 +6,33 @@
 #include <utility>
 
 #include "gbuffer/error.h"
-#include "host/cache_folder.h"
+#include "host/driver_environment.h"
 
 namespace relume {
 namespace {
 
 constexpr std::array statuses{
-    std::pair{-1, "CL_DEVICE_NOT_FOUND"},        std::pair{-2, "CL_DEVICE_NOT_AVAILABLE"},   std::pair{-3, "CL_COMPILER_NOT_AVAILABLE"},
-    std::pair{-4, "CL_MEM_OBJECT_ALLOCATION_FAILURE"}, std::pair{-5, "CL_OUT_OF_RESOURCES"}, std::pair{-6, "CL_OUT_OF_HOST_MEMORY"},
-    std::pair{-11, "CL_BUILD_PROGRAM_FAILURE"},  std::pair{-30, "CL_INVALID_VALUE"},         std::pair{-36, "CL_INVALID_COMMAND_QUEUE"},
-    std::pair{-37, "CL_INVALID_HOST_PTR"},       std::pair{-38, "CL_INVALID_MEM_OBJECT"},    std::pair{-42, "CL_INVALID_BINARY"},
-    std::pair{-43, "CL_INVALID_BUILD_OPTIONS"},  std::pair{-44, "CL_INVALID_PROGRAM"},       std::pair{-45, "CL_INVALID_PROGRAM_EXECUTABLE"},
-    std::pair{-46, "CL_INVALID_KERNEL_NAME"},    std::pair{-48, "CL_INVALID_KERNEL"},        std::pair{-52, "CL_INVALID_KERNEL_ARGS"},
-    std::pair{-54, "CL_INVALID_WORK_GROUP_SIZE"}, std::pair{-61, "CL_INVALID_BUFFER_SIZE"},  std::pair{-1001, "CL_PLATFORM_NOT_FOUND_KHR"},
+    std::pair{-1, "CL_DEVICE_NOT_FOUND"},
+    std::pair{-2, "CL_DEVICE_NOT_AVAILABLE"},
+    std::pair{-3, "CL_COMPILER_NOT_AVAILABLE"},
+    std::pair{-4, "CL_MEM_OBJECT_ALLOCATION_FAILURE"},
+    std::pair{-5, "CL_OUT_OF_RESOURCES"},
+    std::pair{-6, "CL_OUT_OF_HOST_MEMORY"},
+    std::pair{-11, "CL_BUILD_PROGRAM_FAILURE"},
+    std::pair{-30, "CL_INVALID_VALUE"},
+    std::pair{-36, "CL_INVALID_COMMAND_QUEUE"},
+    std::pair{-37, "CL_INVALID_HOST_PTR"},
+    std::pair{-38, "CL_INVALID_MEM_OBJECT"},
+    std::pair{-42, "CL_INVALID_BINARY"},
+    std::pair{-43, "CL_INVALID_BUILD_OPTIONS"},
+    std::pair{-44, "CL_INVALID_PROGRAM"},
+    std::pair{-45, "CL_INVALID_PROGRAM_EXECUTABLE"},
+    std::pair{-46, "CL_INVALID_KERNEL_NAME"},
+    std::pair{-48, "CL_INVALID_KERNEL"},
+    std::pair{-52, "CL_INVALID_KERNEL_ARGS"},
+    std::pair{-54, "CL_INVALID_WORK_GROUP_SIZE"},
+    std::pair{-61, "CL_INVALID_BUFFER_SIZE"},
+    std::pair{-1001, "CL_PLATFORM_NOT_FOUND_KHR"},
 };
 
 std::string trimmed(std::string text) {
@@ -45,7 +59,7 @@ void rethrow(const cl::Error& error, const std::string& device) {
 }
 
 std::vector<cl::Device> opencl_devices() {
-  prepare_driver_caches();
+  prepare_driver_environment();
   std::vector<cl::Device> all;
   std::vector<cl::Platform> platforms;
   try {

@@ -10,7 +10,7 @@
 
 #include "gbuffer/error.h"
 #include "gbuffer/whole_file.h"
-#include "host/cache_folder.h"
+#include "host/driver_environment.h"
 #include "host/kernel_files.h"
 #include "host/lobes.h"
 #include "host/opencl.h"

@@ -39,6 +39,7 @@ class Relight {
   Relight(const RelightJob& job, const Observer& observer) : job_(job), observer_(observer), file_(job.gbuffer) {}
 
   RelightSummary run() {
+    check_job();
     understand_all();
     open();
     shade_and_write();
@@ -49,6 +50,7 @@ class Relight {
   }
 
  private:
+  void check_job() const;
   void understand_all();
   void open();
   std::unique_ptr<Device> open_tested_device();
@@ -58,8 +60,8 @@ class Relight {
   void write_alpha(const GBuffer& gbuffer, Planes& out) const;
   Frame frame_of(const GBuffer& gbuffer, const Planes& out) const;
   glm::dvec3 mean_irradiance();
-  int band_rows() const;
-  GBuffer read_band(int first_row, int rows);
+  int band_rows(const Window& window) const;
+  GBuffer read_band(const Window& window, int first_row, int rows);
   void keep_for_png(const Planes& out, const Window& band, Picture& picture) const;
 
   void note(const std::string& text) { summary_.notes.push_back(text); }
@@ -82,6 +84,12 @@ class Relight {
   Window window_;
   glm::dvec3 ambient_{0};
 };
+
+/// What can be refused before any work.
+void Relight::check_job() const {
+  if (job_.png && !job_.format.overwrite && std::filesystem::exists(*job_.png))
+    throw Error(ErrorKind::output, job_.png->string() + ": exists (--overwrite replaces it)");
+}
 
 void Relight::understand_all() {
   progress("read", 0);
@@ -138,22 +146,23 @@ void Relight::open() {
 }
 
 /// Rows of a band: planes in and out within the memory given, and each buffer within what the device takes.
-int Relight::band_rows() const {
+int Relight::band_rows(const Window& window) const {
   const std::int64_t in = 3 + 3 + 3 + 1 + 1 + 3 * std::int64_t(roles_.size()) + binding_->spare_planes(), out = layout_.planes();
-  const std::int64_t largest = std::max(in, out), row = window_.width() * std::int64_t(sizeof(float));
+  const std::int64_t largest = std::max(in, out), row = window.width() * std::int64_t(sizeof(float));
   const std::int64_t by_memory = job_.memory / ((in + out) * row),
                      by_device = std::int64_t(device_->info().max_allocation / std::uint64_t(largest * row));
   // Offsets into the planes are 32-bit ints.
-  const std::int64_t by_index = (std::int64_t(1) << 31) / (largest * window_.width()) - 1;
-  const std::int64_t rows = std::min({by_memory, by_device, by_index, std::int64_t(window_.height())});
+  const std::int64_t by_index = (std::int64_t(1) << 31) / (largest * window.width()) - 1;
+  const std::int64_t rows = std::min({by_memory, by_device, by_index, std::int64_t(window.height())});
   if (rows < 1)
     throw Error(ErrorKind::memory, job_.gbuffer.string() + ": one row needs " + std::to_string((in + out) * row) +
                                        " bytes of planes; --memory allows " + std::to_string(job_.memory));
   return int(rows);
 }
 
-GBuffer Relight::read_band(int first_row, int rows) {
-  const Window band{window_.min_x, first_row, window_.max_x, first_row + rows};
+/// Rows of a window, as many as it still has.
+GBuffer Relight::read_band(const Window& window, int first_row, int rows) {
+  const Window band{window.min_x, first_row, window.max_x, std::min(first_row + rows, window.max_y)};
   return read_gbuffer(file_, reading_, band, roles_, binding_->spare_planes());
 }
 
@@ -219,20 +228,22 @@ void Relight::shade_lights(Band& band, Frame frame) {
   }
 }
 
-/// The input's own alpha where it has one, else the coverage.
+/// The input's own alpha where it has one that is a number, else the coverage.
 void Relight::write_alpha(const GBuffer& gbuffer, Planes& out) const {
   const auto stored = gbuffer.roles.find("coverage");
   const PlaneRange from = stored != gbuffer.roles.end() && !gbuffer.fractional_coverage ? stored->second : gbuffer.coverage;
-  std::copy_n(gbuffer.planes.plane(from.first), gbuffer.window.pixels(), out.plane(OutputLayout::alpha));
+  const float *alpha = gbuffer.planes.plane(from.first), *coverage = gbuffer.planes.plane(gbuffer.coverage.first);
+  for (std::int64_t i = 0; i < gbuffer.window.pixels(); ++i) out.plane(OutputLayout::alpha)[i] = std::isfinite(alpha[i]) ? alpha[i] : coverage[i];
 }
 
-/// The frame's mean direct diffuse irradiance: every surface shaded as Lambert with albedo pi.
+/// The frame's mean direct diffuse irradiance: every surface shaded as Lambert with albedo pi. Of the whole frame, so that a crop of it looks the same.
 glm::dvec3 Relight::mean_irradiance() {
   glm::dvec3 sum{0};
   double surface = 0;
-  const int rows = band_rows();
-  for (int row = window_.min_y; row < window_.max_y; row += rows) {
-    GBuffer gbuffer = read_band(row, std::min(rows, window_.max_y - row));
+  const Window& whole = reading_.data_window;
+  const int rows = band_rows(whole);
+  for (int row = whole.min_y; row < whole.max_y; row += rows) {
+    GBuffer gbuffer = read_band(whole, row, rows);
     Planes out(std::size_t(gbuffer.window.pixels()), 3);
     out.add(3);
     Frame frame = frame_of(gbuffer, out);
@@ -241,7 +252,7 @@ glm::dvec3 Relight::mean_irradiance() {
     binding_->bind_irradiance(gbuffer, frame);
     const auto band = device_->bind({&gbuffer.planes, lights_.records, binding_->tables(), &out});
     band->shade({DIFFUSE_lambert, SPECULAR_none, 0, 0, 0}, frame,
-                [&](std::int64_t) { progress("ambient", double(row - window_.min_y) / window_.height()); });
+                [&](std::int64_t) { progress("ambient", double(row - whole.min_y) / whole.height()); });
     band->finish();
     for (int c = 0; c < 3; ++c)
       for (std::int64_t i = 0; i < gbuffer.window.pixels(); ++i) sum[c] += out.plane(c)[i];
@@ -264,11 +275,11 @@ void Relight::shade_and_write() {
                    {{"relume:gbuffer", job_.gbuffer.filename().string()}, {"relume:device", summary_.device}, {"relume:version", RELUME_VERSION}});
   Picture picture;
   if (job_.png) picture = {window_.width(), window_.height(), 4, std::vector<float>(std::size_t(window_.pixels()) * 4)};
-  const int rows = band_rows();
+  const int rows = band_rows(window_);
   watch_.lap("prepare");
   for (int row = window_.min_y; row < window_.max_y; row += rows) {
     progress("read", double(row - window_.min_y) / window_.height());
-    GBuffer gbuffer = read_band(row, std::min(rows, window_.max_y - row));
+    GBuffer gbuffer = read_band(window_, row, rows);
     watch_.lap("read");
     summary_.surface_pixels += gbuffer.surface_pixels;
     summary_.bad_pixels += gbuffer.bad_pixels;
@@ -287,8 +298,9 @@ void Relight::shade_and_write() {
   }
   if (summary_.bad_pixels)
     note(std::to_string(summary_.bad_pixels) + " pixels have a NaN or infinite position or normal: written as showing no surface");
-  writer.commit();
+  // The picture first: where it cannot be written, the image is not either.
   if (job_.png) write_png(*job_.png, picture, job_.exposure, job_.format.overwrite);
+  writer.commit();
   watch_.lap("write");
 }
 

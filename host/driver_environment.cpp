@@ -1,5 +1,5 @@
-// cache_folder: found, made or replaced by a temporary one, and handed to PoCL.
-#include "host/cache_folder.h"
+// cache_folder: found, made or replaced by a temporary one; prepare_driver_environment: variables that users have not set themselves.
+#include "host/driver_environment.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -55,13 +55,31 @@ const fs::path& cache_folder() {
   return folder;
 }
 
-void prepare_driver_caches() {
+namespace {
+
+void set_pocl_cache() {
+  if (std::getenv("POCL_CACHE_DIR")) return;
+  const fs::path folder = cache_folder() / "pocl";
+  mkdir(folder.c_str(), 0700);
+  if (is_private(folder)) setenv("POCL_CACHE_DIR", folder.c_str(), 0);
+}
+
+/// hwloc's synthetic topology: as many cores and as much memory as the kernel says.
+void describe_machine() {
+  if (fs::exists("/sys/devices/system/cpu") || std::getenv("HWLOC_XMLFILE")) return;
+  const long cores = sysconf(_SC_NPROCESSORS_ONLN), pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGE_SIZE);
+  if (cores < 1 || pages < 1 || page < 1) return;
+  const std::string machine = "node:1(memory=" + std::to_string(pages * page) + ") pu:" + std::to_string(cores);
+  setenv("HWLOC_SYNTHETIC", machine.c_str(), 0);
+}
+
+}  // namespace
+
+void prepare_driver_environment() {
   static std::once_flag once;
   std::call_once(once, [] {
-    if (std::getenv("POCL_CACHE_DIR")) return;
-    const fs::path folder = cache_folder() / "pocl";
-    mkdir(folder.c_str(), 0700);
-    if (is_private(folder)) setenv("POCL_CACHE_DIR", folder.c_str(), 0);
+    set_pocl_cache();
+    describe_machine();
   });
 }
 
