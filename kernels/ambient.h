@@ -2,7 +2,7 @@
 // hemisphere by a fixed quadrature that the host makes (host/ambient_nodes.cpp; every lobe is mirror-symmetric about the plane of v).
 // The diffuse lobe takes directions with pdf cos/pi; the specular one the facets that v sees on a GGX surface as wide as the lobe, bounded to those
 // that reflect above the horizon: Eto and Tokuyoshi 2023, "Bounded VNDF Sampling for Smith-GGX Reflections". That bound leaves the integrand nearly
-// smooth, where facets drawn by D n.h lose a third of the nodes below the horizon.
+// smooth, where facets drawn by D n.h reflect many of the nodes below the horizon, at a step.
 #ifndef RELUME_AMBIENT_H
 #define RELUME_AMBIENT_H
 
@@ -18,7 +18,8 @@ typedef struct {
 RELUME_FN Basis basis_of(real3 n, real3 v) {
   const real3 in_plane = subtract3(v, scale3(n, dot3(n, v)));
   const mask x_is_near = absolute(n.x) > 0.5f;
-  const real3 other = real3_of(choose(x_is_near, all_lanes(0.0f), all_lanes(1.0f)), choose(x_is_near, all_lanes(1.0f), all_lanes(0.0f)), all_lanes(0.0f));
+  const real3 other =
+      real3_of(choose(x_is_near, all_lanes(0.0f), all_lanes(1.0f)), choose(x_is_near, all_lanes(1.0f), all_lanes(0.0f)), all_lanes(0.0f));
   const real3 perpendicular = subtract3(other, scale3(n, dot3(n, other)));
   Basis basis;
   basis.n = n;
@@ -30,10 +31,11 @@ RELUME_FN Basis basis_of(real3 n, real3 v) {
 RELUME_FN real3 out_of(Basis basis, real x, real y, real z) { return add3(scale3(basis.n, z), add3(scale3(basis.t, x), scale3(basis.b, y))); }
 
 /// The width of the half vectors' distribution that suits the lobe.
-RELUME_FN real lobe_width(int rule, Surface s) {
+RELUME_FN real lobe_width(int rule, int specular, Surface s) {
   if (rule == WIDTH_exponent) return square_root(2.0f / (s.exponent + 2.0f));
   if (rule == WIDTH_chord_exponent) return square_root(2.0f / (4.0f * s.exponent + 2.0f));  // R_v turns twice as fast as h
-  if (rule == WIDTH_roughness) return larger(squared(s.roughness), all_lanes(1e-3f));  // principled's and Cycles' least
+  const float least = specular == SPECULAR_principled ? 1e-3f : 1e-5f;                      // Mitsuba's and Cycles'
+  if (rule == WIDTH_roughness) return larger(squared(s.roughness), all_lanes(least));
   return width_of(s);
 }
 
@@ -53,9 +55,9 @@ RELUME_FN real3 diffuse_albedo(Choice choice, RELUME_GLOBAL const Frame* frame, 
 /// The viewer before a surface that is stretched by 1/width, where the visible facets are those of a hemisphere.
 typedef struct {
   real width;
-  real x, z;       // of the stretched unit direction to the viewer, in the plane of n and v
-  real span;       // z of the cap that its reflections fill: from 1 down by this
-  real normaliser; // 1/pdf of a direction l is this over D of its half vector
+  real x, z;        // of the stretched unit direction to the viewer, in the plane of n and v
+  real span;        // z of the cap that its reflections fill: from 1 down by this
+  real normaliser;  // 1/pdf of a direction l is this over D of its half vector
 } StretchedView;
 
 RELUME_FN StretchedView stretched_view(real width, real n_v, real sine_v) {
@@ -74,12 +76,12 @@ RELUME_FN StretchedView stretched_view(real width, real n_v, real sine_v) {
 RELUME_FN real3 specular_albedo(Choice choice, RELUME_GLOBAL const Frame* frame, Surface s, Basis basis) {
   real3 sum = grey(all_lanes(0.0f));
   if (choice.specular == SPECULAR_none) return sum;
-  const StretchedView view = stretched_view(lobe_width(frame->width_rule, s), s.n_v, dot3(s.v, basis.t));
+  const StretchedView view = stretched_view(lobe_width(frame->width_rule, choice.specular, s), s.n_v, dot3(s.v, basis.t));
   const real a2 = squared(view.width);
   for (int k = 0; k < frame->node_count; ++k) {
     RELUME_GLOBAL const float* node = s.tables + frame->nodes + 4 * k;
-    const real down = node[0] * view.span;                     // 1 - z on the cap
-    const real sine = square_root(down * (2.0f - down));       // sqrt(1 - z^2) without its cancellation
+    const real down = node[0] * view.span;                // 1 - z on the cap
+    const real sine = square_root(down * (2.0f - down));  // sqrt(1 - z^2) without its cancellation
     const real x = view.width * (sine * node[1] + view.x), y = view.width * (sine * node[2]), z = 1.0f - down + view.z;
     const real across2 = squared(x) + squared(y), length2 = across2 + squared(z);
     const real3 h = scale3(out_of(basis, x, y, z), 1.0f / square_root(length2));

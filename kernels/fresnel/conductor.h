@@ -12,7 +12,9 @@ RELUME_FN real conductor_reflectance(real eta, real k, real c) {
   const real a2_less_b2 = eta * eta - k * k - sin2;
   const real ab = eta * k;
   const real a2_plus_b2 = square_root(a2_less_b2 * a2_less_b2 + 4.0f * (ab * ab));
-  const real a = square_root(larger(0.5f * (a2_plus_b2 + a2_less_b2), all_lanes(0.0f)));
+  // For metals a is the smaller of the two, and as a difference it would cancel: silver would lose three bits.
+  const real greater = square_root(0.5f * (a2_plus_b2 + absolute(a2_less_b2)));
+  const real a = choose(a2_less_b2 >= 0.0f, greater, ab / greater);
   const real cross = 2.0f * (a * c);
   const real level = a2_plus_b2 + c2;
   const real s = (level - cross) / (level + cross);
