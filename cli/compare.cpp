@@ -37,7 +37,7 @@ int compare(const CompareArguments& a) {
   bool within = true;
   for (const LayerDifference& d : comparison.layers) within = within && d.max_error <= a.tolerance;
   if (a.json) {
-    std::cout << json_of(comparison).dump(2) << "\n";
+    std::cout << json_of(comparison).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
     return within ? 0 : 1;
   }
   std::printf("%-20s %9s %12s %12s %12s  worst pixel\n", "layer", "PSNR dB", "peak", "max error", "mean error");

@@ -1,7 +1,9 @@
 // relume devices: what there is to shade on, and whether it can be trusted.
 #include <cstdio>
+#include <iomanip>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "cli/commands.h"
 #include "gbuffer/error.h"
@@ -17,8 +19,12 @@ namespace {
 std::string verdict_of(Device& device) {
   const Choice choice{DIFFUSE_lambert, find_lobe(false, "ggx")->number, FRESNEL_schlick, SHADOWING_smith, 0};
   try {
-    self_test(device, choice);
-    return device.info().correctly_rounded ? "passed, bit-identical to the twin" : "passed, within the tolerance for inexact divide and square root";
+    const double difference = self_test(device, choice);
+    if (difference == 0) return "passed, bit-identical to the twin";
+    std::ostringstream verdict;
+    verdict << "passed, within " << std::setprecision(2) << difference << " of the twin (" << self_test_tolerance
+            << " is allowed where divide and square root are not correctly rounded)";
+    return verdict.str();
   } catch (const Error& error) {
     return error.what();
   }
@@ -36,7 +42,9 @@ int devices(bool as_json) {
                    {"platform", d.platform},
                    {"version", d.version},
                    {"driver", d.driver},
-                   {"kind", d.is_gpu ? "gpu" : d.is_cpu ? "cpu" : "other"},
+                   {"kind", d.is_gpu   ? "gpu"
+                            : d.is_cpu ? "cpu"
+                                       : "other"},
                    {"lanes", d.lanes},
                    {"correctly_rounded", d.correctly_rounded},
                    {"memory", d.memory},

@@ -139,7 +139,7 @@ void print(const Json& j) {
                 triple(j["camera"]["forward"]).c_str(), text(j["camera"]["source"]).c_str());
   std::printf("default lobes %s + %s\n", text(j["default_lobes"][0]).c_str(), text(j["default_lobes"][1]).c_str());
   if (j["bad_pixels"] > 0) std::printf("defect        %lld pixels with a NaN or infinite position or normal\n", j["bad_pixels"].get<long long>());
-  for (const auto& note : j["notes"]) std::printf("note          %s\n", text(note).c_str());
+  for (const auto& note : j["notes"]) std::printf("note          %s\n", printable_sentence(note.get<std::string>()).c_str());
 }
 
 struct InspectArguments {

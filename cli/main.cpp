@@ -1,9 +1,9 @@
 // relume: arguments to a subcommand, failures to one line on stderr and a documented exit code.
+#include <unistd.h>
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
 #include <new>
-#include <unistd.h>
 
 #include "cli/commands.h"
 #include "gbuffer/error.h"
@@ -21,8 +21,21 @@ extern "C" void interrupted(int signal) {
 int complain(const std::string& message, int code) {
   std::string line;
   for (const char c : message) line += c == '\n' ? ' ' : c;
-  std::cerr << "relume: " << relume::printable(line) << "\n";
+  std::cerr << "relume: " << relume::printable_sentence(line) << "\n";
   return code;
+}
+
+/// CLI11 says of a mistyped command only that one is required.
+void check_command(const CLI::App& app, int argc, char** argv) {
+  const std::string given = argc > 1 ? argv[1] : "";
+  if (given.starts_with('-')) return;
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == given) return;
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  const std::string what = given.empty() ? "no command given" : "no command \"" + relume::printable(given) + '"';
+  throw relume::Error(relume::ErrorKind::input, what + " (has: " + names + "; relume --help)");
 }
 
 int run(int argc, char** argv) {
@@ -32,6 +45,7 @@ int run(int argc, char** argv) {
   relume::Action action;
 #define RELUME_ADD_COMMAND(name, summary) relume::add_##name(*app.add_subcommand(#name, summary), action);
   RELUME_COMMANDS(RELUME_ADD_COMMAND)
+  check_command(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

@@ -1,15 +1,23 @@
 // ReadingArguments: the command line's words into ReadingOptions.
 #include "cli/reading_arguments.h"
 
+#include <algorithm>
+
 #include "gbuffer/error.h"
+#include "host/json.h"
+#include "host/lobes.h"
 #include "host/rig.h"
 
 namespace relume {
 
 void ReadingArguments::add_to(CLI::App& command) {
   const char* group = "What the file does not say";
-  command.add_option("--convention", convention, "which renderer wrote the file (relume list conventions); default: told from the file")->group(group);
-  command.add_option("--map", map, "ROLE=LAYER: the layer that holds a role: normal, position, ids, coverage, uv, or a parameter (albedo, roughness, ...)")->group(group);
+  command.add_option("--convention", convention, "which renderer wrote the file (relume list conventions); default: told from the file")
+      ->group(group);
+  command
+      .add_option("--map", map,
+                  "ROLE=LAYER: the layer that holds a role: normal, position, ids, coverage, uv, or a parameter (albedo, roughness, ...)")
+      ->group(group);
   command.add_option("--part", part, "the part of a multi-part file")->group(group);
   command.add_option("--view-layer", view_layer, "Blender's view layer; default: the first")->group(group);
   command.add_option("--view", view, "the stereo view: left, right; default: the first")->group(group);
@@ -17,13 +25,27 @@ void ReadingArguments::add_to(CLI::App& command) {
   command.add_option("--normal-space", normal_space, "space of the normals")->check(CLI::IsMember({"world", "camera"}))->group(group);
   command.add_option("--position-space", position_space, "space of the positions")->check(CLI::IsMember({"world", "camera"}))->group(group);
   command.add_option("--normal-encoding", normal_encoding, "-1..1 or 0..1")->check(CLI::IsMember({"signed", "unsigned"}))->group(group);
-  command.add_option("--facing", facing, "normals that point away from the viewer: as-stored (lit where n.l > 0), one-sided (black), two-sided (turned)")
+  command
+      .add_option("--facing", facing, "normals that point away from the viewer: as-stored (lit where n.l > 0), one-sided (black), two-sided (turned)")
       ->check(CLI::IsMember({"as-stored", "one-sided", "two-sided"}))
       ->group(group);
   command.add_option("--bump-shadowing", bump_shadowing, "light against the unperturbed normal: none, horizon, smith (Mitsuba's default)")
       ->check(CLI::IsMember({"none", "horizon", "smith"}))
       ->group(group);
 }
+
+namespace {
+
+/// A mistyped role would be mapped and never read.
+void check_role(const std::string& role) {
+  std::vector<std::string_view> roles{"position", "normal", "base_normal", "tangent", "depth", "coverage", "ids", "uv"};
+  const std::vector<std::string_view> parameters = parameter_names();
+  roles.insert(roles.end(), parameters.begin(), parameters.end());
+  if (std::find(roles.begin(), roles.end(), role) == roles.end())
+    throw Error(ErrorKind::input, "--map: no role " + in_quotes(role) + " (has: " + listed(roles) + ")");
+}
+
+}  // namespace
 
 ReadingOptions ReadingArguments::options() const {
   ReadingOptions options;
@@ -35,6 +57,7 @@ ReadingOptions ReadingArguments::options() const {
     const std::size_t equals = entry.find('=');
     if (equals == 0 || equals == std::string::npos || equals + 1 == entry.size())
       throw Error(ErrorKind::input, "--map " + entry + ": is not ROLE=LAYER (--map normal=N)");
+    check_role(entry.substr(0, equals));
     options.map[entry.substr(0, equals)] = entry.substr(equals + 1);
   }
   if (!normal_space.empty()) options.normal_space = normal_space == "world" ? Space::world : Space::camera;
@@ -42,7 +65,9 @@ ReadingOptions ReadingArguments::options() const {
   if (!normal_encoding.empty()) options.normal_encoding = normal_encoding == "signed" ? NormalEncoding::as_signed : NormalEncoding::as_unsigned;
   if (!facing.empty()) options.facing = facing == "as-stored" ? Facing::as_stored : facing == "one-sided" ? Facing::one_sided : Facing::two_sided;
   if (!bump_shadowing.empty())
-    options.bump_shadowing = bump_shadowing == "none" ? BumpShadowing::none : bump_shadowing == "horizon" ? BumpShadowing::horizon : BumpShadowing::smith;
+    options.bump_shadowing = bump_shadowing == "none"      ? BumpShadowing::none
+                             : bump_shadowing == "horizon" ? BumpShadowing::horizon
+                                                           : BumpShadowing::smith;
   options.recover_camera = camera == "auto";
   if (!camera.empty() && camera != "auto") options.camera = camera_from(camera);
   return options;
@@ -55,7 +80,8 @@ Camera camera_from(const std::string& file) {
   } else if (const Rig rig = read_rig(file, {}); rig.camera) {
     return *rig.camera;
   }
-  throw Error(ErrorKind::input, file + ": no camera in it (a rig with \"camera\", a glTF with a camera node, or an EXR with camera attributes has one)");
+  throw Error(ErrorKind::input,
+              file + ": no camera in it (a rig with \"camera\", a glTF with a camera node, or an EXR with camera attributes has one)");
 }
 
 }  // namespace relume

@@ -110,9 +110,9 @@ int shade(const ShadeArguments& arguments) {
     summary = relight(job, {[&](const std::string& stage, double share) { bar.show(stage, share); }});
   }
   if (arguments.json) {
-    std::cout << json_of(summary).dump(2) << "\n";
+    std::cout << json_of(summary).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
   } else if (!arguments.quiet) {
-    for (const std::string& note : summary.notes) std::cerr << "note: " << printable(note) << "\n";
+    for (const std::string& note : summary.notes) std::cerr << "note: " << printable_sentence(note) << "\n";
     std::fprintf(stderr, "%dx%d, %d lights, %lld surface pixels on %s:", summary.window.width(), summary.window.height(), summary.lights,
                  static_cast<long long>(summary.surface_pixels), printable(summary.device).c_str());
     for (const auto& [stage, seconds] : summary.seconds) std::fprintf(stderr, " %s %.3f s", stage.c_str(), seconds);

@@ -66,4 +66,11 @@ std::string printable(std::string_view text) {
   return out;
 }
 
+std::string printable_sentence(std::string_view text) {
+  std::string out;
+  for (std::size_t backslash; (backslash = text.find('\\')) != std::string_view::npos; text.remove_prefix(backslash + 1))
+    out += printable(text.substr(0, backslash)) + '\\';
+  return out + printable(text);
+}
+
 }  // namespace relume

@@ -1,3 +1,4 @@
+// gauss_legendre: Newton's method on Legendre polynomials (Press et al., Numerical Recipes, 4.6).
 #include "host/gauss_legendre.h"
 
 #include <cmath>

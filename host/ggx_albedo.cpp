@@ -1,3 +1,4 @@
+// ggx_albedo: visible normals under a product rule; cycles_tables: on the grid that Cycles reads.
 #include "host/ggx_albedo.h"
 
 #include <tbb/parallel_for.h>

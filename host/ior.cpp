@@ -1,3 +1,4 @@
+// ior_from_specular_level.
 #include "host/ior.h"
 
 #include <cmath>

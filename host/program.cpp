@@ -5,6 +5,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -99,6 +100,26 @@ void keep_binary(const std::string& key, const std::string& binary) try {
   // A full or read-only disk costs the next run its build time, nothing else.
 }
 
+/// Nothing where the driver does not take the binary or finds no kernel in it: one of another build of the driver, or a driver that takes none.
+std::optional<cl::Program> program_from_binary(const cl::Context& context, const cl::Device& device, const std::string& binary,
+                                               const std::string& options, const std::string& entry) try {
+  if (binary.empty()) return {};
+  cl::Program program(context, {device}, {std::vector<unsigned char>(binary.begin(), binary.end())});
+  program.build(options.c_str());
+  cl::Kernel(program, entry.c_str());
+  return program;
+} catch (const cl::Error&) {
+  return {};
+}
+
+/// Empty where the driver does not give it away.
+std::string binary_of(const cl::Program& program) try {
+  const auto binaries = program.getInfo<CL_PROGRAM_BINARIES>();
+  return binaries.empty() ? std::string{} : std::string(binaries[0].begin(), binaries[0].end());
+} catch (const cl::Error&) {
+  return {};
+}
+
 std::string first_error_line(const std::string& log) {
   std::istringstream lines(log);
   for (std::string line; std::getline(lines, line);)
@@ -129,15 +150,7 @@ cl::Program build_program(const cl::Context& context, const cl::Device& device, 
                           const Choice& choice) {
   const std::string text = joined_text("kernels/" + entry + ".cl", choice), options = build_options(info, choice),
                     key = cache_key(text, options, info);
-  if (const std::string binary = cached_binary(key); !binary.empty()) {
-    try {
-      cl::Program program(context, {device}, {std::vector<unsigned char>(binary.begin(), binary.end())});
-      program.build(options.c_str());
-      return program;
-    } catch (const cl::Error&) {
-      // A binary of another build of the driver: make it again.
-    }
-  }
+  if (std::optional<cl::Program> cached = program_from_binary(context, device, cached_binary(key), options, entry)) return *cached;
   cl::Program program(context, text);
   try {
     program.build({device}, options.c_str());
@@ -145,8 +158,7 @@ cl::Program build_program(const cl::Context& context, const cl::Device& device, 
     if (error.err() != CL_BUILD_PROGRAM_FAILURE) rethrow(error, info.name);
     throw Error(ErrorKind::device, info.name + ": a kernel does not build: " + first_error_line(program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device)));
   }
-  const auto binaries = program.getInfo<CL_PROGRAM_BINARIES>();
-  if (!binaries.empty()) keep_binary(key, std::string(binaries[0].begin(), binaries[0].end()));
+  if (const std::string binary = binary_of(program); !binary.empty()) keep_binary(key, binary);
   return program;
 }
 

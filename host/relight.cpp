@@ -152,7 +152,7 @@ int Relight::band_rows(const Window& window) const {
   const std::int64_t by_memory = job_.memory / ((in + out) * row),
                      by_device = std::int64_t(device_->info().max_allocation / std::uint64_t(largest * row));
   // Offsets into the planes are 32-bit ints.
-  const std::int64_t by_index = (std::int64_t(1) << 31) / (largest * window.width()) - 1;
+  const std::int64_t by_index = ((std::int64_t(1) << 31) / largest - std::int64_t(Planes::granule)) / window.width();
   const std::int64_t rows = std::min({by_memory, by_device, by_index, std::int64_t(window.height())});
   if (rows < 1)
     throw Error(ErrorKind::memory, job_.gbuffer.string() + ": one row needs " + std::to_string((in + out) * row) +
@@ -236,7 +236,7 @@ void Relight::write_alpha(const GBuffer& gbuffer, Planes& out) const {
   for (std::int64_t i = 0; i < gbuffer.window.pixels(); ++i) out.plane(OutputLayout::alpha)[i] = std::isfinite(alpha[i]) ? alpha[i] : coverage[i];
 }
 
-/// The frame's mean direct diffuse irradiance: every surface shaded as Lambert with albedo pi. Of the whole frame, so that a crop of it looks the same.
+/// The frame's mean direct diffuse irradiance: every surface shaded as Lambert with albedo pi. Of the whole frame: a crop looks the same.
 glm::dvec3 Relight::mean_irradiance() {
   glm::dvec3 sum{0};
   double surface = 0;

@@ -5,9 +5,10 @@
 
 namespace relume {
 
-/// Shades a few dozen pixels, hostile ones among them, with every type of light on the device and on the twin; the answer, or Error{device} naming
-/// the pixel and both values. Devices that round divide and square root correctly must agree bit for bit; others within `tolerance()`.
-void self_test(Device& device, const Choice& choice);
+/// Shades a few dozen pixels, hostile ones among them, with every type of light on the device and on the twin; the largest relative difference, or
+/// Error{device} naming the pixel and both values. Devices that round divide and square root correctly must agree bit for bit; others within
+/// `self_test_tolerance`.
+double self_test(Device& device, const Choice& choice);
 
 /// The largest relative difference that passes on a device whose divide (2.5 ulp) and square root (3 ulp) are not correctly rounded. Sharp lobes
 /// multiply such errors: exponent 10,000 or alpha 0.01 turn 3 ulp of a cosine into 1e-3.

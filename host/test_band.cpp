@@ -14,14 +14,13 @@
 namespace relume {
 namespace {
 
-constexpr int pixels = test_pixels;
-
 /// Planes: position 0-2, normal 3-5, program 6, one more for each parameter's component.
 struct TestBand {
-  Planes planes{pixels, 7 + 3 * FIELD_COUNT};
+  int pixels;
+  Planes planes{std::size_t(pixels), 7 + 3 * FIELD_COUNT};
   Frame frame{};
-  std::vector<LightRecord> lights;
-  std::vector<float> tables;
+  std::vector<LightRecord> lights{};
+  std::vector<float> tables{};
 };
 
 struct Limits {
@@ -32,11 +31,18 @@ struct Limits {
 Limits limits_of(int field, TestRange range, Limits all) {
   if (range == TestRange::whole) return all;
   switch (field) {
-    case FIELD_alpha: return {0.05, all.high};
-    case FIELD_roughness: return {0.2236, all.high};
-    case FIELD_exponent: return {all.low, 798};
-    case FIELD_clearcoat_gloss: return {all.low, 0.5};
-    default: return all;
+    case FIELD_alpha:
+      return {0.05, all.high};
+    case FIELD_roughness:
+      return {0.2236, all.high};
+    case FIELD_exponent:
+      return {all.low, 798};
+    case FIELD_clearcoat_gloss:
+      return {all.low, 0.5};
+    case FIELD_fdr:
+      return {all.low, 0.96};  // the most that host/rough_transmittance gives, at ior 4
+    default:
+      return all;
   }
 }
 
@@ -45,7 +51,7 @@ void place_field(TestBand& band, int field, int components, std::mt19937& random
   const float low = float(limits.low), high = float(limits.high);
   std::uniform_real_distribution<float> value{low, high};
   for (int c = 0; c < components; ++c)
-    for (int i = 0; i < pixels; ++i) band.planes.plane(first + c)[i] = i % 7 == 3 ? low : i % 7 == 5 ? high : value(random);
+    for (int i = 0; i < band.pixels; ++i) band.planes.plane(first + c)[i] = i % 7 == 3 ? low : i % 7 == 5 ? high : value(random);
   band.frame.field[field] = {int(band.planes.stride()) * first, 1, int(band.planes.stride())};
 }
 
@@ -58,7 +64,7 @@ void place_constant(TestBand& band, int field, float constant) {
 /// A third of the pixels have a table of their own: the first entries of Cycles' will do.
 void place_table_starts(TestBand& band) {
   const int first = band.planes.add();
-  for (int i = 0; i < pixels; ++i) band.planes.plane(first)[i] = i % 3 == 1 ? 0.0f : -1.0f;
+  for (int i = 0; i < band.pixels; ++i) band.planes.plane(first)[i] = i % 3 == 1 ? 0.0f : -1.0f;
   band.frame.field[FIELD_table] = {int(band.planes.stride()) * first, 1, 0};
 }
 
@@ -89,7 +95,7 @@ void make_lights(TestBand& band) {
 void make_pixels(TestBand& band, std::mt19937& random) {
   std::normal_distribution<float> any;
   const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
-  for (int i = 0; i < pixels; ++i) {
+  for (int i = 0; i < band.pixels; ++i) {
     float n[3] = {any(random), any(random), any(random) + 2};
     const float length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     for (int c = 0; c < 3; ++c) {
@@ -98,9 +104,9 @@ void make_pixels(TestBand& band, std::mt19937& random) {
     }
     if (i == 12) band.planes.plane(0)[i] = nan;
     if (i == 13) band.planes.plane(1)[i] = infinity;
-    if (i == 14) std::memcpy(&band.planes.plane(2)[i], &band.lights[4].position[2], sizeof(float));
   }
-  for (std::size_t i = 0; i < band.planes.stride(); ++i) band.planes.plane(6)[i] = i < pixels ? 0.0f : -1.0f;
+  for (int c = 0; c < 3; ++c) band.planes.plane(c)[14] = band.lights[std::size_t(band.frame.light_begin[LIGHT_point])].position[c];
+  for (int i = 0; i < int(band.planes.stride()); ++i) band.planes.plane(6)[i] = i < band.pixels ? 0.0f : -1.0f;
 }
 
 /// Cycles' tables stand first (any numbers do here), then ambient's nodes.
@@ -112,8 +118,8 @@ void make_tables(TestBand& band) {
   band.tables.insert(band.tables.end(), nodes.begin(), nodes.end());
 }
 
-TestBand make_band(TestRange range) {
-  TestBand band;
+TestBand make_band(TestRange range, int pixels) {
+  TestBand band{pixels};
   std::mt19937 random(20241122);
   band.planes.add(7);
   make_tables(band);
@@ -127,7 +133,7 @@ TestBand make_band(TestRange range) {
   place_constant(band, FIELD_coverage, 1);
   place_constant(band, FIELD_facing, FACING_as_stored);
   Frame& frame = band.frame;
-  frame.pixels = pixels;
+  frame.pixels = band.pixels;
   frame.plane_stride = int(band.planes.stride());
   frame.program_plane = 6;
   frame.normal = 3;
@@ -144,9 +150,9 @@ TestBand make_band(TestRange range) {
 
 }  // namespace
 
-Planes shade_test_band(Device& device, const Choice& choice, TestRange range) {
-  TestBand band = make_band(range);
-  Planes out(pixels, test_planes);
+Planes shade_test_band(Device& device, const Choice& choice, TestRange range, int pixels) {
+  TestBand band = make_band(range, pixels);
+  Planes out(std::size_t(pixels), test_planes);
   out.add(test_planes);
   band.frame.out_stride = int(out.stride());
   const auto bound = device.bind({&band.planes, band.lights, band.tables, &out});

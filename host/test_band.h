@@ -14,7 +14,7 @@ constexpr int test_pixels = 83;  ///< no multiple of any lane count
 constexpr int test_planes = 12;  ///< total, diffuse, specular, ambient: three each
 
 /// The band shaded with the lobes of `choice`: hostile pixels among ordinary ones (NaN, zero normals, a light at the surface).
-Planes shade_test_band(Device& device, const Choice& choice, TestRange range);
+Planes shade_test_band(Device& device, const Choice& choice, TestRange range, int pixels = test_pixels);
 
 /// The difference of two results relative to the larger; to 1e-3, a thousandth of a common pixel of the band, where both are smaller.
 /// Infinite where one is NaN.
