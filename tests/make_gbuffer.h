@@ -103,8 +103,7 @@ inline Imf::Header header_of(const MadeUpGBuffer& made) {
   for (const std::string& channel : made.channels)
     header.channels().insert(channel, Imf::Channel(channel == "id" ? Imf::UINT : made.half ? Imf::HALF : Imf::FLOAT));
   // For row vectors, and a camera that looks along +z: that is how OpenEXR's attribute is meant.
-  if (made.camera_in_header)
-    header.insert("worldToCamera", Imf::M44fAttribute({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, float(scene_eye_z), 1}));
+  if (made.camera_in_header) header.insert("worldToCamera", Imf::M44fAttribute({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, float(scene_eye_z), 1}));
   if (made.header) made.header(header);
   return header;
 }
@@ -137,7 +136,9 @@ inline void write_gbuffer(const std::filesystem::path& file, const MadeUpGBuffer
     for (std::size_t c = 0; c < planes.size(); ++c) {
       const bool is_id = made.channels[c] == "id";
       const Imf::PixelType type = is_id ? Imf::UINT : made.half ? Imf::HALF : Imf::FLOAT;
-      void* const first = is_id ? static_cast<void*>(ids.data()) : made.half ? static_cast<void*>(halves[c].data()) : static_cast<void*>(planes[c].data());
+      void* const first = is_id       ? static_cast<void*>(ids.data())
+                          : made.half ? static_cast<void*>(halves[c].data())
+                                      : static_cast<void*>(planes[c].data());
       frame.insert(made.channels[c], Imf::Slice::Make(type, first, {made.data.min_x, y}, width, count));
     }
     out.setFrameBuffer(frame);
