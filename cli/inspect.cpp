@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
@@ -35,50 +36,80 @@ Json camera_json(const Camera& camera) {
   return json;
 }
 
-/// Range of each role's planes over surface pixels, and what is not finite.
-Json range_json(const GBuffer& gbuffer, const PlaneRange& range) {
-  const float* coverage = gbuffer.planes.plane(gbuffer.coverage.first);
-  Json lowest = Json::array(), highest = Json::array();
-  std::int64_t bad = 0;
-  for (int c = 0; c < range.count; ++c) {
-    float low = std::numeric_limits<float>::infinity(), high = -low;
-    const float* plane = gbuffer.planes.plane(range.first + c);
-    for (std::int64_t i = 0; i < gbuffer.window.pixels(); ++i) {
-      if (coverage[i] <= 0) continue;
-      if (!std::isfinite(plane[i])) {
-        ++bad;
-        continue;
-      }
-      low = std::min(low, plane[i]);
-      high = std::max(high, plane[i]);
-    }
-    lowest.push_back(low <= high ? Json(low) : Json());
-    highest.push_back(low <= high ? Json(high) : Json());
-  }
-  return {{"lowest", lowest}, {"highest", highest}, {"not_finite", bad}};
-}
+/// The range of one role's values over surface pixels, gathered band by band.
+struct Range {
+  std::vector<float> lowest, highest;
+  std::int64_t not_finite = 0;
 
-Json roles_json(const ExrFile& file, const Reading& reading) {
+  void add(const GBuffer& gbuffer, const PlaneRange& range) {
+    lowest.resize(std::size_t(range.count), std::numeric_limits<float>::infinity());
+    highest.resize(std::size_t(range.count), -std::numeric_limits<float>::infinity());
+    const float* coverage = gbuffer.planes.plane(gbuffer.coverage.first);
+    for (int c = 0; c < range.count; ++c) {
+      const float* plane = gbuffer.planes.plane(range.first + c);
+      for (std::int64_t i = 0; i < gbuffer.window.pixels(); ++i) {
+        if (coverage[i] <= 0) continue;
+        if (!std::isfinite(plane[i])) {
+          ++not_finite;
+          continue;
+        }
+        lowest[std::size_t(c)] = std::min(lowest[std::size_t(c)], plane[i]);
+        highest[std::size_t(c)] = std::max(highest[std::size_t(c)], plane[i]);
+      }
+    }
+  }
+
+  Json json() const {
+    Json low = Json::array(), high = Json::array();
+    for (std::size_t c = 0; c < lowest.size(); ++c) {
+      low.push_back(lowest[c] <= highest[c] ? Json(lowest[c]) : Json());
+      high.push_back(lowest[c] <= highest[c] ? Json(highest[c]) : Json());
+    }
+    return {{"lowest", low}, {"highest", high}, {"not_finite", not_finite}};
+  }
+};
+
+/// What the pixels show, over the whole data window.
+struct Contents {
+  std::map<std::string, Range> ranges;  ///< by role
+  std::int64_t surface_pixels = 0, bad_pixels = 0;
+  bool filtered = false;
+};
+
+Contents contents_of(const ExrFile& file, const Reading& reading) {
   std::vector<std::string> roles;
   for (const auto& [role, layer] : reading.roles)
     if (role != "position" && role != "normal" && role != "base_normal" && role != "ids") roles.push_back(role);
-  const GBuffer gbuffer = read_gbuffer(file, reading, reading.data_window, roles, 0);
+  Contents contents;
+  const Window& all = reading.data_window;
+  const int rows = std::max(1, (1 << 22) / std::max(1, all.width()));  // four million pixels: a few hundred megabytes of planes
+  for (int top = all.min_y; top < all.max_y; top += rows) {
+    const GBuffer gbuffer = read_gbuffer(file, reading, {all.min_x, top, all.max_x, std::min(top + rows, all.max_y)}, roles, 0);
+    contents.ranges["position"].add(gbuffer, gbuffer.position);
+    contents.ranges["normal"].add(gbuffer, gbuffer.normal);
+    for (const auto& [role, planes] : gbuffer.roles) contents.ranges[role].add(gbuffer, planes);
+    contents.surface_pixels += gbuffer.surface_pixels;
+    contents.bad_pixels += gbuffer.bad_pixels;
+    contents.filtered = contents.filtered || gbuffer.fractional_coverage;
+  }
+  return contents;
+}
+
+Json roles_json(const ExrFile& file, const Reading& reading) {
+  const Contents contents = contents_of(file, reading);
   Json json;
   for (const auto& [role, layer] : reading.roles) {
     Json& entry = json[role] = {{"layer", layer.layer}, {"part", layer.part}, {"channels", layer.channels}};
     Json types = Json::array();
     for (const SampleType type : layer.types) types.push_back(name_of(type));
     entry["types"] = types;
-    const auto planes = gbuffer.roles.find(role);
-    if (role == "position") entry.update(range_json(gbuffer, gbuffer.position));
-    if (role == "normal") entry.update(range_json(gbuffer, gbuffer.normal));
-    if (planes != gbuffer.roles.end()) entry.update(range_json(gbuffer, planes->second));
+    if (const auto range = contents.ranges.find(role); range != contents.ranges.end()) entry.update(range->second.json());
   }
   return {{"roles", json},
-          {"surface_pixels", gbuffer.surface_pixels},
-          {"pixels", gbuffer.window.pixels()},
-          {"bad_pixels", gbuffer.bad_pixels},
-          {"filtered", gbuffer.fractional_coverage}};
+          {"surface_pixels", contents.surface_pixels},
+          {"pixels", reading.data_window.pixels()},
+          {"bad_pixels", contents.bad_pixels},
+          {"filtered", contents.filtered}};
 }
 
 Json parts_json(const ExrFile& file) {
@@ -121,8 +152,9 @@ std::string triple(const Json& values) {
 void print(const Json& j) {
   const auto text = [](const Json& value) { return printable(value.get<std::string>()); };
   const Json& window = j["parts"][0]["data_window"];
-  std::printf("%s: %d x %d, %zu part(s), %lld of %lld pixels show a surface\n", text(j["file"]).c_str(), window["x1"].get<int>() - window["x0"].get<int>(),
-              window["y1"].get<int>() - window["y0"].get<int>(), j["parts"].size(), j["surface_pixels"].get<long long>(), j["pixels"].get<long long>());
+  std::printf("%s: %d x %d, %zu part(s), %lld of %lld pixels show a surface\n", text(j["file"]).c_str(),
+              window["x1"].get<int>() - window["x0"].get<int>(), window["y1"].get<int>() - window["y0"].get<int>(), j["parts"].size(),
+              j["surface_pixels"].get<long long>(), j["pixels"].get<long long>());
   std::printf("written by    %s, as %s (--convention NAME overrules)\n", text(j["convention"]).c_str(), text(j["evidence"]).c_str());
   for (const auto& [role, entry] : j["roles"].items()) {
     std::printf("%-16s %-22s %-5s", printable(role).c_str(), text(entry["layer"]).c_str(), text(entry["types"][0]).c_str());

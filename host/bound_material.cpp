@@ -30,6 +30,7 @@ class Binder {
     if (fresnel_)
       for (const std::string_view name : fresnel_->parameters) place(std::string(name));
     special_cases();
+    note_unread();
     return bound_;
   }
 
@@ -118,6 +119,18 @@ class Binder {
     }
     if (!source) source = FieldSource{{parameter.fallback}, {}, {}, {}, {}};
     bound_.fields[parameter.field] = *source;
+  }
+
+  /// A parameter that was given but that no lobe of this material reads is worth a word: with "auto" lobes nobody could refuse it before.
+  void note_unread() {
+    std::vector<std::string_view> read;
+    for (const Lobe* lobe : {diffuse_, specular_})
+      if (lobe)
+        for (const std::string_view name : user_parameters(*lobe)) read.push_back(name);
+    if (fresnel_)
+      for (const std::string_view name : user_parameters(*fresnel_)) read.push_back(name);
+    for (const auto& [name, value] : material_.parameters)
+      if (!contains(read, name)) note(name + " is given but neither " + material_.diffuse + " nor " + material_.specular + " reads it");
   }
 
   void special_cases() {

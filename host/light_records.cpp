@@ -3,26 +3,11 @@
 
 #include <cmath>
 #include <glm/trigonometric.hpp>
-#include <optional>
 
 namespace relume {
 namespace {
 
-/// The kernel's number of a type; ambient has no record.
-std::optional<int> number_of(LightType type) {
-  switch (type) {
-    case LightType::directional:
-      return LIGHT_directional;
-    case LightType::point:
-      return LIGHT_point;
-    case LightType::spot:
-      return LIGHT_spot;
-    case LightType::ambient:
-      return {};
-  }
-  return {};
-}
-
+static_assert(int(LightType::ambient) == LIGHT_COUNT, "a type's value is the kernels' number");
 static_assert(int(Falloff::inverse_square) == FALLOFF_inverse_square && int(Falloff::windowed) == FALLOFF_windowed &&
               int(Falloff::linear) == FALLOFF_linear && int(Falloff::none) == FALLOFF_none);
 static_assert(int(Cone::gltf) == CONE_gltf && int(Cone::smoothstep) == CONE_smoothstep && int(Cone::linear) == CONE_linear);
@@ -51,7 +36,7 @@ LightRecords light_records(const std::vector<Light>& lights) {
   for (int type = 0; type < LIGHT_COUNT; ++type) {
     result.begin[type] = int(result.records.size());
     for (const Light& light : lights)
-      if (number_of(light.type) == type) {
+      if (int(light.type) == type) {
         result.records.push_back(record_of(light));
         result.names.push_back(light.name);
       }

@@ -8,10 +8,14 @@
 #include <vector>
 
 #include "gbuffer/camera.h"
+#include "kernels/lights/list.h"
 
 namespace relume {
 
-enum class LightType { directional, point, spot, ambient };
+#define RELUME_LIGHT_TYPE(name, ...) name,
+/// The kernels' types, by their numbers (kernels/lights/list.h), and ambient, which needs no record.
+enum class LightType { RELUME_LIGHTS(RELUME_LIGHT_TYPE) ambient };
+#undef RELUME_LIGHT_TYPE
 enum class Falloff { inverse_square, windowed, linear, none };
 enum class Cone { gltf, smoothstep, linear };
 

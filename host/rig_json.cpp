@@ -30,17 +30,22 @@ std::vector<std::string_view> keys_of(const std::string& type) {
 }
 
 LightType type_of(const std::string& name) {
-  if (name == "directional") return LightType::directional;
-  if (name == "spot") return LightType::spot;
-  return name == "ambient" ? LightType::ambient : LightType::point;
+  return name == "ambient" ? LightType::ambient : LightType(term_named(light_types(), name, "light type").number);
+}
+
+/// Whether the type has a key in its list; what has it, needs it.
+bool takes(const Light& light, std::string_view key) {
+  if (light.type == LightType::ambient) return false;
+  const std::vector<std::string_view>& keys = light_types()[std::size_t(light.type)].parameters;
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
 void read_place(const ObjectReader& reader, Light& light) {
-  if (light.type == LightType::point || light.type == LightType::spot) {
+  if (takes(light, "position")) {
     reader.need("position");
     light.position = vector_of(*reader.numbers("position", 3));
   }
-  if (light.type == LightType::directional || light.type == LightType::spot) {
+  if (takes(light, "direction")) {
     reader.need("direction");
     light.direction = unit_or_zero(vector_of(*reader.numbers("direction", 3)));
     if (light.direction == glm::dvec3(0)) reader.fail("direction", "must not be zero");
@@ -100,8 +105,8 @@ std::optional<Light> read_light(const ObjectReader& reader, std::size_t index) {
   light.group = reader.string("group").value_or("");
   read_place(reader, light);
   read_strength(reader, light);
-  if (light.type == LightType::point || light.type == LightType::spot) read_falloff(reader, light);
-  if (light.type == LightType::spot) read_cone(reader, light);
+  if (takes(light, "falloff")) read_falloff(reader, light);
+  if (takes(light, "cone")) read_cone(reader, light);
   const std::string too_large = beyond_single(light);
   if (!too_large.empty()) reader.fail(too_large, "is beyond single precision");
   return enabled ? std::optional(light) : std::nullopt;

@@ -177,7 +177,8 @@ TEST(Oracle, EveryLobeAgreesWithItsTable) {
 TEST(Oracle, EveryLobeAgreesWithItsWholeTable) {
   const std::filesystem::path folder = std::string(RELUME_CORPUS) + "/oracle";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not here; the thinned tables of tests/data/oracle were compared";
-  for (const Table& table : kTables) compare_table(folder, table);
+  for (const Table& table : kTables)  // a lobe that came after the corpus has its table in tests/data alone
+    if (std::filesystem::exists(folder / (std::string(table.file) + ".csv"))) compare_table(folder, table);
 }
 
 /// albedo.csv has columns model, parameters, nv, albedo.

@@ -197,7 +197,7 @@ TEST(Reading, ConventionByName) {
   const MadeUpExr made({{"", "", plain}}, 32, 32, dome);
   ReadingOptions options;
   options.convention = "blinder";
-  EXPECT_NE(message_of(made.file, options).find("no convention \"blinder\" (there are: blender, pbrt, mitsuba, generic)"), std::string::npos);
+  EXPECT_NE(message_of(made.file, options).find("no convention \"blinder\" (there are: blender, "), std::string::npos);
   options.convention = "mitsuba";
   EXPECT_EQ(understand(ExrFile(made.file), options).facing, Facing::one_sided);
 }

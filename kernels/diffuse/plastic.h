@@ -16,7 +16,7 @@ RELUME_FN real rough_plastic_transmittance(Surface s, real cosine) {
 }
 
 RELUME_FN real plastic_transmittance(Surface s, real cosine) {
-  const real smooth = 1.0f - dielectric_reflectance(s.ior, larger(cosine, all_lanes(0.0f)));
+  const real smooth = dielectric_transmittance(s.ior, larger(cosine, all_lanes(0.0f)));
   const mask rough = s.table >= 0.0f;
   if (!any_of(rough)) return smooth;
   return choose(rough, rough_plastic_transmittance(s, cosine), smooth);

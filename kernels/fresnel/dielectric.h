@@ -17,6 +17,15 @@ RELUME_FN real dielectric_reflectance(real ior, real c) {
   return choose(g2 > 0.0f, f, choose(ior < 1.0f, all_lanes(1.0f), all_lanes(0.0f)));
 }
 
+/// 1 - F where light enters the denser side (ior >= 1), without the cancellation at grazing angles, where it goes to 0:
+/// 2 c g (1/(c+g)^2 + (ior/(ior^2 c + g))^2).
+RELUME_FN real dielectric_transmittance(real ior, real c) {
+  const real g = square_root((ior - 1.0f) * (ior + 1.0f) + c * c);
+  const real s = 1.0f / larger(c + g, all_lanes(1e-15f));  // 0 only at ior = 1 and c = 0
+  const real p = ior / larger(ior * ior * c + g, all_lanes(1e-15f));
+  return 2.0f * c * g * (s * s + p * p);
+}
+
 RELUME_FN real3 fresnel_dielectric(Surface s, real v_h) { return grey(dielectric_reflectance(s.ior, v_h)); }
 
 #endif
