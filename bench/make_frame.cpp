@@ -1,4 +1,5 @@
-// Makes a G-buffer for benchmarks: spheres over a plane, 13 half channels (N, P, albedo, roughness, metallic, u, v), ZIP, with a camera in the rig beside it.
+// Makes a G-buffer for benchmarks: spheres over a plane, 13 half channels (N, P, albedo, roughness, metallic, u, v), ZIP, with a camera in the rig
+// beside it.
 //
 //   make_frame WIDTH HEIGHT LIGHTS STEM      writes STEM.exr and STEM.rig.json
 #include <ImfChannelList.h>
@@ -75,11 +76,11 @@ void write_rig(const std::string& file, int lights) {
   std::mt19937 random(11);
   const auto in = [&](double low, double high) { return std::uniform_real_distribution<>(low, high)(random); };
   std::ofstream rig(file);
-  rig << "{\"relume\": 1,\n \"camera\": {\"world_from_camera\": [1,0,0," << eye.x << ", 0,1,0," << eye.y << ", 0,0,1," << eye.z << ", 0,0,0,1], \"vertical_fov\": " << fov
-      << "},\n \"lights\": [";
+  rig << "{\"relume\": 1,\n \"camera\": {\"world_from_camera\": [1,0,0," << eye.x << ", 0,1,0," << eye.y << ", 0,0,1," << eye.z
+      << ", 0,0,0,1], \"vertical_fov\": " << fov << "},\n \"lights\": [";
   for (int k = 0; k < lights; ++k)
-    rig << (k ? "," : "") << "\n  {\"type\": \"point\", \"position\": [" << in(-6, 6) << ", " << in(1, 6) << ", " << in(-6, 6) << "], \"intensity\": ["
-        << in(2, 20) / lights << ", " << in(2, 20) / lights << ", " << in(2, 20) / lights << "]}";
+    rig << (k ? "," : "") << "\n  {\"type\": \"point\", \"position\": [" << in(-6, 6) << ", " << in(1, 6) << ", " << in(-6, 6)
+        << "], \"intensity\": [" << in(2, 20) / lights << ", " << in(2, 20) / lights << ", " << in(2, 20) / lights << "]}";
   rig << "\n]}\n";
 }
 
@@ -100,8 +101,21 @@ int main(int argc, char** argv) {
       const Hit hit = trace(d, all);
       if (hit.t > 60) continue;
       const dvec3 p = eye + d * hit.t;
-      const double values[] = {hit.n.x, hit.n.y, hit.n.z, p.x, p.y, p.z, hit.albedo.x, hit.albedo.y, hit.albedo.z, hit.roughness, hit.metallic, p.x - std::floor(p.x), p.z - std::floor(p.z)};
-      for (std::size_t c = 0; c < names.size(); ++c) planes[c * pixels + std::size_t(y) * std::size_t(width) + std::size_t(x)] = half(float(values[c]));
+      const double values[] = {hit.n.x,
+                               hit.n.y,
+                               hit.n.z,
+                               p.x,
+                               p.y,
+                               p.z,
+                               hit.albedo.x,
+                               hit.albedo.y,
+                               hit.albedo.z,
+                               hit.roughness,
+                               hit.metallic,
+                               p.x - std::floor(p.x),
+                               p.z - std::floor(p.z)};
+      for (std::size_t c = 0; c < names.size(); ++c)
+        planes[c * pixels + std::size_t(y) * std::size_t(width) + std::size_t(x)] = half(float(values[c]));
     }
   Imf::Header header(width, height);
   header.compression() = Imf::ZIP_COMPRESSION;

@@ -21,14 +21,15 @@ struct CompareArguments {
 nlohmann::ordered_json json_of(const Comparison& comparison) {
   nlohmann::ordered_json layers = nlohmann::ordered_json::array();
   for (const LayerDifference& d : comparison.layers)
-    layers.push_back({{"layer", d.layer},
-                      {"psnr", std::isfinite(d.psnr) ? nlohmann::ordered_json(d.psnr) : nlohmann::ordered_json(d.psnr > 0 ? "infinite" : "-infinite")},
-                      {"peak", d.peak},
-                      {"max_error", std::isfinite(d.max_error) ? nlohmann::ordered_json(d.max_error) : nlohmann::ordered_json("infinite")},
-                      {"mean_error", std::isfinite(d.mean_error) ? nlohmann::ordered_json(d.mean_error) : nlohmann::ordered_json("infinite")},
-                      {"worst", {{"x", d.worst_x}, {"y", d.worst_y}, {"channel", d.worst_channel}}},
-                      {"not_finite", d.not_finite},
-                      {"values", d.values}});
+    layers.push_back(
+        {{"layer", d.layer},
+         {"psnr", std::isfinite(d.psnr) ? nlohmann::ordered_json(d.psnr) : nlohmann::ordered_json(d.psnr > 0 ? "infinite" : "-infinite")},
+         {"peak", d.peak},
+         {"max_error", std::isfinite(d.max_error) ? nlohmann::ordered_json(d.max_error) : nlohmann::ordered_json("infinite")},
+         {"mean_error", std::isfinite(d.mean_error) ? nlohmann::ordered_json(d.mean_error) : nlohmann::ordered_json("infinite")},
+         {"worst", {{"x", d.worst_x}, {"y", d.worst_y}, {"channel", d.worst_channel}}},
+         {"not_finite", d.not_finite},
+         {"values", d.values}});
   return {{"layers", layers}, {"only_in_image", comparison.only_in_image}, {"only_in_reference", comparison.only_in_reference}};
 }
 
@@ -42,10 +43,11 @@ int compare(const CompareArguments& a) {
   }
   std::printf("%-20s %9s %12s %12s %12s  worst pixel\n", "layer", "PSNR dB", "peak", "max error", "mean error");
   for (const LayerDifference& d : comparison.layers)
-    std::printf("%-20s %9.2f %12.6g %12.6g %12.6g  (%d, %d) %s\n", d.layer.empty() ? "R G B" : printable(d.layer).c_str(), d.psnr, d.peak, d.max_error,
-                d.mean_error, d.worst_x, d.worst_y, printable(d.worst_channel).c_str());
+    std::printf("%-20s %9.2f %12.6g %12.6g %12.6g  (%d, %d) %s\n", d.layer.empty() ? "R G B" : printable(d.layer).c_str(), d.psnr, d.peak,
+                d.max_error, d.mean_error, d.worst_x, d.worst_y, printable(d.worst_channel).c_str());
   for (const std::string& channel : comparison.only_in_image) std::printf("only in %s: %s\n", printable(a.image).c_str(), printable(channel).c_str());
-  for (const std::string& channel : comparison.only_in_reference) std::printf("only in %s: %s\n", printable(a.reference).c_str(), printable(channel).c_str());
+  for (const std::string& channel : comparison.only_in_reference)
+    std::printf("only in %s: %s\n", printable(a.reference).c_str(), printable(channel).c_str());
   return within ? 0 : 1;
 }
 

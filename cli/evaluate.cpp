@@ -28,7 +28,8 @@ void add_evaluate(CLI::App& command, Action& action) {
   command.add_option("--set", a->set, "PARAM=VALUE for all rows");
   command.add_option("--device", a->device, "as for shade; default: the best there is");
   command.footer(
-      "stdin: CSV with a header; columns n_l, n_v, l_v (cosines), and any parameter by its name (or name.r, name.g, name.b). Other columns are kept.\n"
+      "stdin: CSV with a header; columns n_l, n_v, l_v (cosines), and any parameter by its name (or name.r, name.g, name.b). Other columns are "
+      "kept.\n"
       "stdout: the same with f_r and reflectance = f_r n.l (or .r .g .b of each) appended, 9 digits.\n"
       "Example: printf 'n_l,n_v,l_v\\n0.7,0.8,0.9\\n' | relume evaluate ggx --set roughness=0.4");
   command.callback([a, &action] { action = [a] { return evaluate(*a); }; });

@@ -15,7 +15,8 @@ using Json = nlohmann::ordered_json;
 
 Json parameter_json(std::string_view name) {
   const Parameter& p = parameter_named(name);
-  return {{"name", name}, {"components", p.components}, {"default", p.fallback}, {"lowest", p.lowest}, {"highest", p.highest}, {"meaning", p.meaning}};
+  return {{"name", name},       {"components", p.components}, {"default", p.fallback},
+          {"lowest", p.lowest}, {"highest", p.highest},       {"meaning", p.meaning}};
 }
 
 Json parameters_json(const std::vector<std::string_view>& names) {
@@ -57,7 +58,8 @@ void print_parameters(const Json& parameters) {
 
 void print_brdfs(const Json& lists) {
   for (const auto& lobe : lists["brdfs"]) {
-    std::printf("%-8s %-22s %s\n", lobe["half"].get<std::string>().c_str(), lobe["name"].get<std::string>().c_str(), lobe["source"].get<std::string>().c_str());
+    std::printf("%-8s %-22s %s\n", lobe["half"].get<std::string>().c_str(), lobe["name"].get<std::string>().c_str(),
+                lobe["source"].get<std::string>().c_str());
     print_parameters(lobe["parameters"]);
     for (const char* key : {"fresnel", "shadowing", "distribution"})
       if (!lobe[key].empty()) std::printf("      %-17s %s\n", key, joined(lobe[key]).c_str());
@@ -72,7 +74,9 @@ void print_brdfs(const Json& lists) {
 Json lights_json() {
   Json all = Json::array();
   for (const Term& light : light_types()) all.push_back({{"name", light.name}, {"keys", light.parameters}, {"source", light.source}});
-  all.push_back({{"name", "ambient"}, {"keys", {"intensity", "fraction"}}, {"source", "incident radiance from everywhere, W/(m^2 sr), or a share of the mean direct irradiance"}});
+  all.push_back({{"name", "ambient"},
+                 {"keys", {"intensity", "fraction"}},
+                 {"source", "incident radiance from everywhere, W/(m^2 sr), or a share of the mean direct irradiance"}});
   return all;
 }
 

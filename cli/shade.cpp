@@ -14,7 +14,8 @@ namespace relume {
 namespace {
 
 struct ShadeArguments {
-  std::string gbuffer, output, materials, png, layers, crop, diffuse = "auto", specular = "auto", device, compression = "zip", units, up, range, memory = "2G";
+  std::string gbuffer, output, materials, png, layers, crop, diffuse = "auto", specular = "auto", device, compression = "zip", units, up, range,
+                                                             memory = "2G";
   std::vector<std::string> rigs, set;
   double exposure = 0;
   bool half = false, full = false, overwrite = false, quiet = false, json = false;
@@ -66,7 +67,8 @@ RelightJob job_of(const ShadeArguments& a) {
   job.gbuffer = a.gbuffer;
   job.output = a.output;
   job.rigs.assign(a.rigs.begin(), a.rigs.end());
-  if (!a.units.empty()) job.rig_options.units = a.units == "spec" ? RigOptions::Units::spec : a.units == "compat" ? RigOptions::Units::compat : RigOptions::Units::raw;
+  if (!a.units.empty())
+    job.rig_options.units = a.units == "spec" ? RigOptions::Units::spec : a.units == "compat" ? RigOptions::Units::compat : RigOptions::Units::raw;
   if (!a.up.empty()) job.rig_options.up = a.up == "y" ? RigOptions::Up::y : RigOptions::Up::z;
   if (!a.range.empty()) job.rig_options.obey_range = a.range == "obey";
   job.reading = a.reading.options();
@@ -126,7 +128,9 @@ int shade(const ShadeArguments& arguments) {
 void add_shade(CLI::App& command, Action& action) {
   const auto a = std::make_shared<ShadeArguments>();
   command.add_option("gbuffer", a->gbuffer, "an OpenEXR file with normals and positions")->required();
-  command.add_option("--lights,-l", a->rigs, "a rig: Relume's JSON, or glTF/GLB with KHR_lights_punctual; several are added up; - reads JSON from stdin")->required();
+  command
+      .add_option("--lights,-l", a->rigs, "a rig: Relume's JSON, or glTF/GLB with KHR_lights_punctual; several are added up; - reads JSON from stdin")
+      ->required();
   command.add_option("-o,--output", a->output, "the relit image, OpenEXR")->required();
   command.add_option("--diffuse", a->diffuse, "diffuse lobe (relume list brdfs), none, or auto: what the renderer that wrote the file computes");
   command.add_option("--specular", a->specular, "specular lobe, none, or auto");
@@ -148,7 +152,8 @@ void add_shade(CLI::App& command, Action& action) {
   command.add_flag("--overwrite", a->overwrite, "replace an existing output")->group(out);
   command.add_flag("--quiet", a->quiet, "no progress bar, notes or summary")->group(out);
   command.add_flag("--json", a->json, "a summary for programs on stdout")->group(out);
-  command.add_option("--device", a->device, "cpu, gpu, twin (C++, no OpenCL), an index, or part of a platform's or device's name; default: the best there is");
+  command.add_option("--device", a->device,
+                     "cpu, gpu, twin (C++, no OpenCL), an index, or part of a platform's or device's name; default: the best there is");
   command.add_option("--memory", a->memory, "for the planes of a band; larger frames go through in bands")->capture_default_str();
   command.footer(
       "Examples:\n"

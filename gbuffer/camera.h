@@ -45,7 +45,7 @@ Recovery recover(const std::vector<Sighting>& sightings, const Window& display, 
 
 /// How well a camera's place and axes explain the sightings, whatever its field of view and lens shift.
 struct PoseFit {
-  double residual;            ///< median reprojection error in pixels after the best scale and offset of each image axis; infinite: it looks the other way
+  double residual;  ///< median reprojection error in pixels after the best scale and offset of each image axis; infinite: it looks the other way
   double centre_x, centre_y;  ///< where the optical axis meets the image, pixels
   double scale_y;             ///< pixels a unit of the tangent down the image; orthographic: pixels a world unit
 };

@@ -9,9 +9,9 @@
 namespace relume {
 
 struct LayerDifference {
-  std::string layer;       ///< "" for the root's R G B; alpha stands apart as "A"
-  std::int64_t values = 0; ///< pixels times channels compared
-  double psnr = 0;         ///< dB, peak = the reference's 99.9th percentile of |value|; infinite where the two are equal
+  std::string layer;        ///< "" for the root's R G B; alpha stands apart as "A"
+  std::int64_t values = 0;  ///< pixels times channels compared
+  double psnr = 0;          ///< dB, peak = the reference's 99.9th percentile of |value|; infinite where the two are equal
   double peak = 0;
   double max_error = 0, mean_error = 0;  ///< absolute
   int worst_x = 0, worst_y = 0;          ///< display-window coordinates of the largest error

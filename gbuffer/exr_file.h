@@ -38,7 +38,7 @@ struct Part {
 /// What a file may ask of us; beyond it Error{input} or Error{memory} says which limit and how to raise it.
 struct ReadLimits {
   std::int64_t max_decoded_bytes = std::int64_t(64) << 30;  ///< all channels of the largest part
-  int max_side = 1 << 20;                                  ///< width or height, pixels
+  int max_side = 1 << 20;                                   ///< width or height, pixels
   int max_parts = 256;
   int max_channels = 1024;  ///< in one part
 };

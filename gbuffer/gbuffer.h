@@ -20,10 +20,10 @@ struct PlaneRange {
 struct GBuffer {
   Window window;  ///< the pixels held, row by row, no padding between rows
   Planes planes;
-  PlaneRange position;     ///< world, 3
-  PlaneRange normal;       ///< world, unit, 3; zero where there is no surface
-  PlaneRange base_normal;  ///< world, unit, 3: the unperturbed normal; count 0 where the reading has none
-  PlaneRange coverage;     ///< 1: share of the pixel that shows a surface, 0 where none; in (0, 1) only for filtered files
+  PlaneRange position;                      ///< world, 3
+  PlaneRange normal;                        ///< world, unit, 3; zero where there is no surface
+  PlaneRange base_normal;                   ///< world, unit, 3: the unperturbed normal; count 0 where the reading has none
+  PlaneRange coverage;                      ///< 1: share of the pixel that shows a surface, 0 where none; in (0, 1) only for filtered files
   bool fractional_coverage = false;         ///< some coverage lies strictly between 0 and 1 and must weigh the radiance
   std::map<std::string, PlaneRange> roles;  ///< the other roles that were asked for ("albedo", "roughness", "alpha", "uv", ...)
   std::vector<std::uint32_t> ids;           ///< object id of each pixel, if the role was asked for; else empty

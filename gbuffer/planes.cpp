@@ -11,13 +11,11 @@
 
 namespace relume {
 
-Planes::Planes(std::size_t pixels, int capacity)
-    : pixels_(pixels), stride_((pixels + granule - 1) / granule * granule), capacity_(capacity) {
+Planes::Planes(std::size_t pixels, int capacity) : pixels_(pixels), stride_((pixels + granule - 1) / granule * granule), capacity_(capacity) {
   const std::size_t bytes = stride_ * std::size_t(capacity) * sizeof(float);
   if (bytes == 0) return;
   void* memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (memory == MAP_FAILED)
-    throw Error(ErrorKind::memory, "no address space for " + std::to_string(bytes) + " bytes of pixel planes");
+  if (memory == MAP_FAILED) throw Error(ErrorKind::memory, "no address space for " + std::to_string(bytes) + " bytes of pixel planes");
   base_ = static_cast<float*>(memory);
 }
 
@@ -26,11 +24,7 @@ Planes::~Planes() {
 }
 
 Planes::Planes(Planes&& other) noexcept
-    : base_(std::exchange(other.base_, nullptr)),
-      pixels_(other.pixels_),
-      stride_(other.stride_),
-      capacity_(other.capacity_),
-      count_(other.count_) {}
+    : base_(std::exchange(other.base_, nullptr)), pixels_(other.pixels_), stride_(other.stride_), capacity_(other.capacity_), count_(other.count_) {}
 
 Planes& Planes::operator=(Planes&& other) noexcept {
   std::swap(base_, other.base_);

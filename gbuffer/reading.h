@@ -46,18 +46,18 @@ struct Reading {
   std::string evidence;    ///< why this convention: "header attribute generatedBy = \"Mitsuba version 3.9.1\""
   std::map<std::string, RoleLayer> roles;
   std::map<std::string, std::string> looked_for;  ///< the names tried for each role, for the message where none was found
-  std::string view_layer, view;  ///< those chosen, where the file has them
-  int part = 0;  ///< whose windows and attributes the output takes: the part of `position`
+  std::string view_layer, view;                   ///< those chosen, where the file has them
+  int part = 0;                                   ///< whose windows and attributes the output takes: the part of `position`
   Window data_window, display_window;
   double pixel_aspect = 1;
   Space position_space = Space::world, normal_space = Space::world;
   NormalEncoding normal_encoding = NormalEncoding::as_signed;
-  bool camera_z_forward = false;         ///< layers in camera space: z points into the scene (pbrt, 3Delight), not out of it
-  bool normal_in_tangent_frame = false;  ///< Mitsuba 3.9's bumpmap: n = s x + t y + base z (research: mitsuba-truth)
+  bool camera_z_forward = false;                       ///< layers in camera space: z points into the scene (pbrt, 3Delight), not out of it
+  bool normal_in_tangent_frame = false;                ///< Mitsuba 3.9's bumpmap: n = s x + t y + base z (research: mitsuba-truth)
   std::vector<std::uint32_t> tangent_ids, bumped_ids;  ///< object ids that the tangent frame, and base normals, concern; empty: all
-  bool position_premultiplied = false;   ///< position is a mean over the pixel including misses as 0: divide by coverage, and so is every other layer
-  bool colour_premultiplied = false;     ///< albedo and other colours carry coverage, so radiance needs no factor of its own
-  double background_depth = 1e9;         ///< depth at or beyond this, or no normal, shows no surface
+  bool position_premultiplied = false;  ///< position is a mean over the pixel including misses as 0: divide by coverage, and so is every other layer
+  bool colour_premultiplied = false;    ///< albedo and other colours carry coverage, so radiance needs no factor of its own
+  double background_depth = 1e9;        ///< depth at or beyond this, or no normal, shows no surface
   Facing facing = Facing::as_stored;
   BumpShadowing bump_shadowing = BumpShadowing::none;
   std::string default_diffuse = "lambert", default_specular = "ggx";  ///< what --diffuse/--specular auto mean for this file
@@ -79,7 +79,8 @@ struct ReadingOptions {
   bool recover_camera = false;   ///< --camera auto: recover from positions even where the header has one
 };
 
-/// Understands a file. Throws Error{input} when a needed role is missing ("no normal layer (looked for N, Normal, ...; --map normal=LAYER names one)").
+/// Understands a file. Throws Error{input} when a needed role is missing ("no normal layer (looked for N, Normal, ...; --map normal=LAYER names
+/// one)").
 Reading understand(const ExrFile& file, const ReadingOptions& options);
 
 /// The layer that a person means by `name` (for --map and "layer:NAME"): exact, else without regard to case, spaces, '_' and '-', with or without the

@@ -9,7 +9,7 @@ namespace {
 
 std::vector<Window> bands_of(const Window& data) {
   constexpr std::int64_t budget = 1 << 17;  // pixels; a hundredth of a second to decode and judge
-  constexpr int rows = 8;  // neighbours above and below, and half of a zip block
+  constexpr int rows = 8;                   // neighbours above and below, and half of a zip block
   if (data.pixels() <= budget) return {data};
   if (data.height() <= rows) return {data};
   const int most = std::max(1, data.height() / rows), wanted = int(std::min<std::int64_t>(budget / rows / data.width(), most));
@@ -30,7 +30,8 @@ struct Clarity {
 
 Clarity clarity_of(const SampledBand& band, const Reading& reading) {
   const auto plane = [&](const char* role) { return band.has(role) ? band.planes.at(role).data() : nullptr; };
-  const float *const position = plane("position"), *const normal = plane("normal"), *const depth = plane("depth"), *const coverage = plane("coverage");
+  const float *const position = plane("position"), *const normal = plane("normal"), *const depth = plane("depth"),
+                     *const coverage = plane("coverage");
   const std::size_t pixels = std::size_t(band.window.pixels());
   Clarity clarity{std::vector<char>(pixels), std::vector<char>(pixels)};
   for (std::size_t i = 0; i < pixels; ++i) {

@@ -39,8 +39,7 @@ class ExrWriter {
   /// `metadata`: text attributes added. Refuses an existing `file` without overwrite, before any work: Error{output}.
   /// Writes to a hidden temporary beside `file`, removed on any failure and by interrupt (gbuffer/whole_file.h).
   ExrWriter(const std::filesystem::path& file, const OutputFormat& format, const Imf::Header& like, const Window& data_window,
-            const Window& display_window, const std::vector<std::string>& channels,
-            const std::vector<std::pair<std::string, std::string>>& metadata);
+            const Window& display_window, const std::vector<std::string>& channels, const std::vector<std::pair<std::string, std::string>>& metadata);
   ~ExrWriter();
 
   /// The next `rows` rows, top to bottom; one Source for each channel.

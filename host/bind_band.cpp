@@ -58,8 +58,8 @@ class Reader {
     } else if (!source.role.empty()) {
       range_ = gbuffer.roles.at(source.role);
       if (range_.count != 1 && range_.count < parameter.components)
-        throw Error(ErrorKind::input, "layer \"" + source.role + "\" has " + std::to_string(range_.count) + " channels; " + std::string(parameter.name) +
-                                          " takes 1 or " + std::to_string(parameter.components));
+        throw Error(ErrorKind::input, "layer \"" + source.role + "\" has " + std::to_string(range_.count) + " channels; " +
+                                          std::string(parameter.name) + " takes 1 or " + std::to_string(parameter.components));
     }
   }
 
@@ -147,7 +147,9 @@ void Binding::solve_cycles_surfaces(GBuffer& gbuffer, const Camera& camera) cons
   const bool orthographic = camera.projection == Camera::Projection::orthographic;
   for_pixels(gbuffer.window.pixels(), [&](Pixel i) {
     if (coverage[i] <= 0) return;
-    const auto three = [&](int plane) { return std::array<double, 3>{planes.plane(plane)[i], planes.plane(plane + 1)[i], planes.plane(plane + 2)[i]}; };
+    const auto three = [&](int plane) {
+      return std::array<double, 3>{planes.plane(plane)[i], planes.plane(plane + 1)[i], planes.plane(plane + 2)[i]};
+    };
     const auto vector = [&](int plane) { return glm::dvec3(three(plane)[0], three(plane)[1], three(plane)[2]); };
     const glm::dvec3 view = orthographic ? camera.backward() : glm::normalize(camera.eye() - vector(gbuffer.position.first));
     const double n_v = glm::dot(vector(gbuffer.normal.first), view);
@@ -175,7 +177,9 @@ void Binding::bind(GBuffer& gbuffer, const Camera& camera, Frame& frame) const {
       sources.push_back(from_solution != solved.end() ? from_solution->second : found == m.fields.end() ? fallback : found->second);
     }
     Field& field = frame.field[parameter.field];
-    const auto same_constant = [&](const FieldSource& s) { return s.is_constant() && s.constant == sources[0].constant && s.transform == sources[0].transform; };
+    const auto same_constant = [&](const FieldSource& s) {
+      return s.is_constant() && s.constant == sources[0].constant && s.transform == sources[0].transform;
+    };
     if (std::all_of(sources.begin(), sources.end(), same_constant)) {
       field = constants.place(constant_of(sources[0]));
       continue;

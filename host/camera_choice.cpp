@@ -33,9 +33,10 @@ Reading understand_with_camera(const ExrFile& file, const ReadingOptions& option
     }
   }
   if (!reading.camera)
-    throw Error(ErrorKind::input, file.path().string() +
-                                      ": no camera: none in the header or the rig, and the positions do not determine one (--camera FILE names a rig, a glTF "
-                                      "or another EXR)");
+    throw Error(ErrorKind::input,
+                file.path().string() +
+                    ": no camera: none in the header or the rig, and the positions do not determine one (--camera FILE names a rig, a glTF "
+                    "or another EXR)");
   return reading;
 }
 

@@ -7,7 +7,7 @@ namespace relume {
 /// As in kernels/cosines.h.
 struct PreciseCosines {
   double n_l, n_v, l_v;
-  double sum2, across2, along2, tan2_h, chord2;
+  double sum2, across2, along2, tan2_h, chord2, r_l;
 };
 
 /// The cosines must be of directions that exist: what rounding makes negative becomes 0, and tan2_h is at most 1e30, as in the kernels.
@@ -23,7 +23,8 @@ inline PreciseCosines precise_cosines(double n_l, double n_v, double l_v) {
   c.across2 = not_negative(c.sum2 - c.along2);
   const double tan2 = c.across2 / c.along2;
   c.tan2_h = tan2 < 1e30 ? tan2 : 1e30;
-  c.chord2 = not_negative(2 - 2 * (2 * n_l * n_v - l_v));
+  c.r_l = 2 * n_l * n_v - l_v;
+  c.chord2 = not_negative(2 - 2 * c.r_l);
   return c;
 }
 

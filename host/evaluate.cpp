@@ -18,31 +18,37 @@ namespace relume {
 namespace {
 
 /// The lobes of one name: one half, or both.
-Material material_of(const std::string& brdf, const std::vector<std::string>& set) {
+Material material_of(const std::string& brdf, const std::vector<std::string>& set, const std::vector<std::string>& columns) {
   Material material;
   material.diffuse = find_lobe(true, brdf) ? brdf : "none";
   material.specular = find_lobe(false, brdf) ? brdf : "none";
   if (material.diffuse == "none" && material.specular == "none") {
     std::string names;
     for (const bool diffuse : {true, false})
-      for (const std::string_view name : names_of(diffuse ? diffuse_lobes() : specular_lobes())) names += (names.empty() ? "" : ", ") + std::string(name);
+      for (const std::string_view name : names_of(diffuse ? diffuse_lobes() : specular_lobes()))
+        names += (names.empty() ? "" : ", ") + std::string(name);
     throw Error(ErrorKind::input, "no BRDF \"" + brdf + "\" (has: " + names + ")");
   }
   for (const std::string& assignment : set) set_parameter(material, assignment);
-  check(material, "--set");
+  // A column counts as given, so that eta and k mean a conductor, as they do in a material file.
+  for (const std::string& column : columns) material.parameters[column] = LayerValue{column};
+  check(material, "table");
   return material;
 }
 
 /// Rows as pixels: cosines in the planes from `position`, every parameter's column as a role.
 class RowBand {
  public:
-  explicit RowBand(const Table& table) : gbuffer_{{0, 0, int(table.rows.size()), 1}, Planes(table.rows.size(), planes), {}, {}, {}, {}, false, {}, {}, 0, 0} {
+  explicit RowBand(const Table& table)
+      : gbuffer_{{0, 0, int(table.rows.size()), 1}, Planes(table.rows.size(), planes), {}, {}, {}, {}, false, {}, {}, 0, 0} {
     place_cosines(table);
     gbuffer_.coverage = {gbuffer_.planes.add(), 1};
     std::fill_n(gbuffer_.planes.plane(gbuffer_.coverage.first), table.rows.size(), 1.0f);
     for (const std::string_view name : parameter_names()) place_parameter(table, std::string(name));
   }
 
+  /// The parameters that have columns.
+  const std::vector<std::string>& parameters() const { return parameters_; }
   GBuffer& gbuffer() { return gbuffer_; }
   Reading& reading() { return reading_; }
 
@@ -57,11 +63,11 @@ class RowBand {
       if (column < 0) throw Error(ErrorKind::input, std::string("stdin: no column ") + names[k] + " (n_l, n_v and l_v are needed)");
       columns[k] = table.numbers(column);
     }
-    gbuffer_.position = {gbuffer_.planes.add(8), 8};
+    gbuffer_.position = {gbuffer_.planes.add(9), 9};
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
       const PreciseCosines c = precise_cosines(columns[0][i], columns[1][i], columns[2][i]);
-      const double values[] = {c.n_l, c.n_v, c.l_v, c.sum2, c.across2, c.along2, c.tan2_h, c.chord2};
-      for (int k = 0; k < 8; ++k) gbuffer_.planes.plane(gbuffer_.position.first + k)[i] = float(values[k]);
+      const double values[] = {c.n_l, c.n_v, c.l_v, c.sum2, c.across2, c.along2, c.tan2_h, c.chord2, c.r_l};
+      for (int k = 0; k < 9; ++k) gbuffer_.planes.plane(gbuffer_.position.first + k)[i] = float(values[k]);
     }
   }
 
@@ -70,6 +76,7 @@ class RowBand {
     const std::array colour{table.column(name + ".r"), table.column(name + ".g"), table.column(name + ".b")};
     const bool coloured = *std::min_element(colour.begin(), colour.end()) >= 0;
     if (grey < 0 && !coloured) return;
+    parameters_.push_back(name);
     // Cycles' `albedo` is the kernel's base colour (host/lobes.h).
     for (const std::string& role : name == "albedo" ? std::vector<std::string>{"albedo", "base_color"} : std::vector<std::string>{name}) {
       const PlaneRange range{gbuffer_.planes.add(coloured ? 3 : 1), coloured ? 3 : 1};
@@ -84,6 +91,7 @@ class RowBand {
 
   GBuffer gbuffer_;
   Reading reading_;
+  std::vector<std::string> parameters_;
 };
 
 /// Diffuse and specular planes of all rows.
@@ -119,8 +127,8 @@ std::string nine_digits(double value) {
 
 std::string evaluate_table(const std::string& brdf, const std::vector<std::string>& set, const std::string& device, const std::string& text) {
   Table table = parse_table(text);
-  const Material material = material_of(brdf, set);
   RowBand rows(table);
+  const Material material = material_of(brdf, set, rows.parameters());
   const LayerFinder no_layers = [](const std::string& layer) -> RoleLayer {
     throw Error(ErrorKind::input, "--set: no layer \"" + layer + "\": a table has columns");
   };

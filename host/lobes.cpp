@@ -152,8 +152,6 @@ std::vector<std::string_view> user_parameters(const Lobe& lobe) {
   return names;
 }
 
-std::vector<std::string_view> user_parameters(const Term& fresnel) {
-  return given_by_users(fresnel.parameters);
-}
+std::vector<std::string_view> user_parameters(const Term& fresnel) { return given_by_users(fresnel.parameters); }
 
 }  // namespace relume

@@ -12,7 +12,8 @@ namespace {
 
 using Kernel = cl::KernelFunctor<cl::Buffer, cl::Buffer, cl::Buffer, cl::Buffer, cl::Buffer, cl_int>;
 
-/// Work-items in a work-group on a CPU: enough to hide the scheduler's lock, few enough that one local size serves every launch (PoCL compiles anew for each).
+/// Work-items in a work-group on a CPU: enough to hide the scheduler's lock, few enough that one local size serves every launch (PoCL compiles anew
+/// for each).
 constexpr int group = 16;
 /// Pixels times lights between two looks at the interrupt flag: about 0.1 s on one slow core.
 constexpr std::int64_t slice_work = 40'000'000;
@@ -86,7 +87,8 @@ class OpenClBand : public Band {
     for (std::int64_t first = 0; first < frame.pixels; first += slice) {
       const std::int64_t pixels = std::min<std::int64_t>(slice, frame.pixels - first);
       const std::size_t items = std::size_t((pixels + unit - 1) / unit * local);
-      kernel(cl::EnqueueArgs(device_.queue(), cl::NDRange(items), cl::NDRange(std::size_t(local))), planes_, constants, lights_, tables_, out_, cl_int(first));
+      kernel(cl::EnqueueArgs(device_.queue(), cl::NDRange(items), cl::NDRange(std::size_t(local))), planes_, constants, lights_, tables_, out_,
+             cl_int(first));
       device_.queue().finish();
       if (progress) progress(pixels);
     }

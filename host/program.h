@@ -8,8 +8,8 @@
 
 namespace relume {
 
-/// `file` with every #include of a kernel file replaced by that file, once each, between #line marks, so that a compiler's message names the real place.
-/// Of the lobes only those of `choice` are taken: a program with all of them takes three times as long to build.
+/// `file` with every #include of a kernel file replaced by that file, once each, between #line marks, so that a compiler's message names the real
+/// place. Of the lobes only those of `choice` are taken: a program with all of them takes three times as long to build.
 std::string joined_text(const std::string& file, const Choice& choice);
 
 /// The options that make a program of `choice`.

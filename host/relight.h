@@ -28,8 +28,8 @@ struct RelightJob {
   std::optional<Window> crop;  ///< display-window coordinates
   OutputFormat format;
   std::optional<std::filesystem::path> png;
-  double exposure = 0;  ///< stops, of the PNG alone
-  std::string device;   ///< empty: the best, falling back to the twin with a note
+  double exposure = 0;                          ///< stops, of the PNG alone
+  std::string device;                           ///< empty: the best, falling back to the twin with a note
   std::int64_t memory = std::int64_t(2) << 30;  ///< bytes for a band's planes; larger frames go through in bands
 };
 

@@ -50,7 +50,8 @@ std::vector<double> Table::numbers(int column) const {
     double value = 0;
     const auto [end, status] = std::from_chars(field.data() + begin, field.data() + field.size(), value);
     if (status != std::errc() || field.find_first_not_of(" \t", std::size_t(end - field.data())) != std::string::npos || !std::isfinite(value))
-      throw Error(ErrorKind::input, "stdin:" + std::to_string(row + 2) + ": column " + columns[std::size_t(column)] + ": \"" + field + "\" is no finite number");
+      throw Error(ErrorKind::input,
+                  "stdin:" + std::to_string(row + 2) + ": column " + columns[std::size_t(column)] + ": \"" + field + "\" is no finite number");
     values.push_back(value);
   }
   return values;

@@ -13,10 +13,10 @@ namespace relume {
 using ShadeRange = void (*)(const Choice&, const float*, const Frame&, const LightRecord*, const float*, float*, int, int);
 using EvaluateRange = void (*)(const Choice&, const float*, const Frame&, const float*, float*, int, int);
 
-#define RELUME_TWIN(lanes)                                                                                                                    \
-  namespace lanes {                                                                                                                           \
-  void shade_range(const Choice&, const float*, const Frame&, const LightRecord*, const float*, float*, int, int);                            \
-  void evaluate_range(const Choice&, const float*, const Frame&, const float*, float*, int, int);                            \
+#define RELUME_TWIN(lanes)                                                                                         \
+  namespace lanes {                                                                                                \
+  void shade_range(const Choice&, const float*, const Frame&, const LightRecord*, const float*, float*, int, int); \
+  void evaluate_range(const Choice&, const float*, const Frame&, const float*, float*, int, int);                  \
   }
 RELUME_TWIN(lanes1)
 RELUME_TWIN(lanes4)
@@ -39,8 +39,10 @@ const std::vector<Compilation>& compilations() {
                                             {8, lanes8::shade_range, lanes8::evaluate_range, bool(__builtin_cpu_supports("avx2"))},
                                             {16, lanes16::shade_range, lanes16::evaluate_range, bool(__builtin_cpu_supports("avx512f"))}};
 #else
-  static const std::vector<Compilation> all{
-      {1, lanes1::shade_range, lanes1::evaluate_range, true}, {4, lanes4::shade_range, lanes4::evaluate_range, true}, {8, lanes8::shade_range, lanes8::evaluate_range, true}, {16, lanes16::shade_range, lanes16::evaluate_range, true}};
+  static const std::vector<Compilation> all{{1, lanes1::shade_range, lanes1::evaluate_range, true},
+                                            {4, lanes4::shade_range, lanes4::evaluate_range, true},
+                                            {8, lanes8::shade_range, lanes8::evaluate_range, true},
+                                            {16, lanes16::shade_range, lanes16::evaluate_range, true}};
 #endif
   return all;
 }

@@ -10,20 +10,20 @@
 
 namespace relume {
 namespace RELUME_TWIN_JOIN(lanes, RELUME_LANES) {
-namespace {
+  namespace {
 #include "kernels/evaluate.h"
 #include "kernels/shade.h"
-}
+  }  // namespace
 
-/// Pixels [first, last), first a multiple of the lanes; see kernels/shade.h.
-void shade_range(const Choice& choice, const float* planes, const Frame& frame, const LightRecord* lights, const float* tables, float* out, int first,
-                 int last) {
-  for (int i = first; i < last; i += RELUME_LANES) shade_pixels(choice, planes, &frame, lights, tables, out, i);
-}
+  /// Pixels [first, last), first a multiple of the lanes; see kernels/shade.h.
+  void shade_range(const Choice& choice, const float* planes, const Frame& frame, const LightRecord* lights, const float* tables, float* out,
+                   int first, int last) {
+    for (int i = first; i < last; i += RELUME_LANES) shade_pixels(choice, planes, &frame, lights, tables, out, i);
+  }
 
-/// Rows [first, last); see kernels/evaluate.h.
-void evaluate_range(const Choice& choice, const float* planes, const Frame& frame, const float* tables, float* out, int first, int last) {
-  for (int i = first; i < last; i += RELUME_LANES) evaluate_rows(choice, planes, &frame, tables, out, i);
-}
-}
+  /// Rows [first, last); see kernels/evaluate.h.
+  void evaluate_range(const Choice& choice, const float* planes, const Frame& frame, const float* tables, float* out, int first, int last) {
+    for (int i = first; i < last; i += RELUME_LANES) evaluate_rows(choice, planes, &frame, tables, out, i);
+  }
+}  // namespace )
 }  // namespace relume

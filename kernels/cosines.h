@@ -17,6 +17,7 @@ typedef struct {
   real along2;   // |v+l|^2 cos^2 of it: (n.l + n.v)^2
   real tan2_h;   // tan^2 of it: across2/along2, at most 1e30
   real chord2;   // |R_v - l|^2 = 2 - 2 R_v.l, in 0..4
+  real r_l;      // R_v.l: what chord2 rounds away where R_v.l is near 0
 } Cosines;
 
 RELUME_FN Cosines cosines_of(real3 n, real3 l, real3 v) {
@@ -34,12 +35,12 @@ RELUME_FN Cosines cosines_of(real3 n, real3 l, real3 v) {
   // At the most grazing angles along2 is 0, and where l = -v both are: 1e30 stands for infinity, so that no lobe divides infinities.
   c.tan2_h = smaller(c.across2 / c.along2, all_lanes(1e30f));
   c.chord2 = dot3(chord, chord);
+  c.r_l = 2.0f * c.n_l * c.n_v - c.l_v;
   return c;
 }
 
 /// (n.h)^2 = 1/(1 + tan^2)
 RELUME_FN real n_h_squared(Cosines c) { return 1.0f / (1.0f + c.tan2_h); }
 RELUME_FN real v_h(Cosines c) { return 0.5f * square_root(c.sum2); }
-RELUME_FN real r_l(Cosines c) { return 1.0f - 0.5f * c.chord2; }
 
 #endif

@@ -21,6 +21,7 @@ RELUME_FN void evaluate_rows(Choice choice, RELUME_GLOBAL const float* planes, R
   c.along2 = load(p + 5 * stride);
   c.tan2_h = load(p + 6 * stride);
   c.chord2 = load(p + 7 * stride);
+  c.r_l = load(p + 8 * stride);
   Surface s = load_parameters(planes, frame, tables, i);
   s.position = s.n = s.v = s.base_n = grey(all_lanes(0.0f));
   s.n_v = c.n_v;

@@ -28,28 +28,28 @@ enum { RELUME_PARAMETERS(RELUME_FIELD_NUMBER) FIELD_coverage, FIELD_facing, FIEL
 
 /// Where a parameter of a pixel lies in the planes: plane data (step 1) or one value for all pixels (step 0).
 typedef struct {
-  int offset;           // floats from the start of the planes
-  int step;             // floats from a pixel to the next: 1 or 0
-  int component_step;   // floats from a component to the next
+  int offset;          // floats from the start of the planes
+  int step;            // floats from a pixel to the next: 1 or 0
+  int component_step;  // floats from a component to the next
 } Field;
 
 typedef struct {
-  int pixels;        // in this band, without padding
-  int plane_stride;  // floats from one plane to the next
-  int program;       // the value of the program plane that this launch shades
-  int program_plane; // plane index; -1 in it means no surface
-  int position;      // plane index, 3 planes
-  int normal;        // plane index, 3 planes
-  int base_normal;   // plane index, 3 planes; -1: none
+  int pixels;         // in this band, without padding
+  int plane_stride;   // floats from one plane to the next
+  int program;        // the value of the program plane that this launch shades
+  int program_plane;  // plane index; -1 in it means no surface
+  int position;       // plane index, 3 planes
+  int normal;         // plane index, 3 planes
+  int base_normal;    // plane index, 3 planes; -1: none
   int bump_shadowing;
   float viewer[4];   // the eye, 1; or the unit direction to an orthographic viewer, 0
   float ambient[4];  // radiance from everywhere, rgb; the fourth is 0 where there is none
   int nodes;         // ambient's quadrature in the tables: node_count times u, cos phi, sin phi, weight
   int node_count;
-  int width_rule;    // WIDTH_*: where the specular lobe's width is found
-  int light_begin[LIGHT_COUNT + 1];  // lights are sorted by type: [begin[t], begin[t + 1])
+  int width_rule;                             // WIDTH_*: where the specular lobe's width is found
+  int light_begin[LIGHT_COUNT + 1];           // lights are sorted by type: [begin[t], begin[t + 1])
   int total, diffuse, specular, ambient_out;  // plane indices in the output, 3 planes each; -1: not wanted
-  int out_stride;    // floats from one output plane to the next
+  int out_stride;                             // floats from one output plane to the next
   Field field[FIELD_COUNT];
 } Frame;
 

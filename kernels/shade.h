@@ -50,8 +50,8 @@ RELUME_FN void store_where(mask m, real3 value, RELUME_GLOBAL float* out, int st
 }
 
 /// Shades pixels i .. i + RELUME_LANES - 1 of those whose program this is; the others' output is left alone.
-RELUME_FN void shade_pixels(Choice choice, RELUME_GLOBAL const float* planes, RELUME_GLOBAL const Frame* frame, RELUME_GLOBAL const LightRecord* lights,
-                            RELUME_GLOBAL const float* tables, RELUME_GLOBAL float* out, int i) {
+RELUME_FN void shade_pixels(Choice choice, RELUME_GLOBAL const float* planes, RELUME_GLOBAL const Frame* frame,
+                            RELUME_GLOBAL const LightRecord* lights, RELUME_GLOBAL const float* tables, RELUME_GLOBAL float* out, int i) {
   const mask mine = load(planes + (size_t)frame->plane_stride * frame->program_plane + i) == (float)frame->program;
   if (!any_of(mine)) return;
   Surface s = load_surface(planes, frame, tables, i);

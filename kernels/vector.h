@@ -22,15 +22,13 @@ RELUME_FN real3 multiply3(real3 a, real3 b) { return real3_of(a.x * b.x, a.y * b
 RELUME_FN real3 divide3(real3 a, real3 b) { return real3_of(a.x / b.x, a.y / b.y, a.z / b.z); }
 RELUME_FN real3 scale3(real3 a, real s) { return real3_of(a.x * s, a.y * s, a.z * s); }
 RELUME_FN real dot3(real3 a, real3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-RELUME_FN real3 choose3(mask m, real3 a, real3 b) {
-  return real3_of(choose(m, a.x, b.x), choose(m, a.y, b.y), choose(m, a.z, b.z));
-}
+RELUME_FN real3 choose3(mask m, real3 a, real3 b) { return real3_of(choose(m, a.x, b.x), choose(m, a.y, b.y), choose(m, a.z, b.z)); }
 /// a + (b - a) t
 RELUME_FN real3 mix3(real3 a, real3 b, real t) { return add3(a, scale3(subtract3(b, a), t)); }
 RELUME_FN real3 unit3(real3 a) { return scale3(a, 1.0f / square_root(dot3(a, a))); }
 
-RELUME_FN real larger(real a, real b) { return choose(a > b, a, b); }    // b where a is NaN
-RELUME_FN real smaller(real a, real b) { return choose(a < b, a, b); }   // b where a is NaN
+RELUME_FN real larger(real a, real b) { return choose(a > b, a, b); }   // b where a is NaN
+RELUME_FN real smaller(real a, real b) { return choose(a < b, a, b); }  // b where a is NaN
 RELUME_FN real clamped(real x, float low, float high) { return smaller(larger(x, all_lanes(low)), all_lanes(high)); }
 RELUME_FN real squared(real x) { return x * x; }
 

@@ -1,4 +1,4 @@
-// The cosines and the small quantities beside them, from directions as files store them.
+// The cosines and the small quantities beside them, from directions as files store them; and which way a normal is taken to point.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -40,7 +40,7 @@ TEST(Cosines, SmallAnglesDoNotCancel) {
     EXPECT_NEAR(std::sqrt(got.tan2_h), std::sqrt(wanted.tan2_h), 1e-6 / std::sqrt(wanted.along2));
     EXPECT_NEAR(std::sqrt(got.chord2), std::sqrt(wanted.chord2), 4e-7);
     EXPECT_NEAR(got.along2, wanted.along2, 2e-6);
-    EXPECT_NEAR(kernel::r_l(got), 2 * dot(n, l) * dot(n, v) - dot(l, v), 1e-6);
+    EXPECT_NEAR(got.r_l, 2 * dot(n, l) * dot(n, v) - dot(l, v), 1e-6);
     EXPECT_NEAR(kernel::v_h(got), std::sqrt(wanted.sum2) / 2, 5e-7);
     EXPECT_NEAR(kernel::n_h_squared(got), wanted.along2 / wanted.sum2, 1e-6);
   }
@@ -51,6 +51,27 @@ TEST(Cosines, WhereLightAndViewerAreOppositeTheyStayFinite) {
   const kernel::Cosines c = kernel::cosines_of(up, left, right);
   EXPECT_EQ(c.sum2, 0.0f);
   EXPECT_EQ(c.tan2_h, 1e30f);
+}
+
+TEST(Facing, NormalsThatPointAwayAreTurnedWhereThereAreTwoSides) {
+  float planes[] = {0, 0, 0, 0.6f, 0, -0.8f, 0.8f, 0, -0.6f, 0};  // a position, a normal, the unperturbed one, and the rule
+  kernel::Frame frame{};
+  frame.plane_stride = 1;
+  frame.normal = 3;
+  frame.base_normal = 6;
+  frame.viewer[2] = 1;
+  frame.field[kernel::FIELD_facing].offset = 9;
+  for (const int rule : {kernel::FACING_as_stored, kernel::FACING_one_sided, kernel::FACING_two_sided}) {
+    planes[9] = static_cast<float>(rule);
+    const kernel::Surface s = kernel::load_surface(planes, &frame, nullptr, 0);
+    const float sign = rule == kernel::FACING_two_sided ? -1 : 1;
+    EXPECT_EQ(s.n.x, sign * planes[3]);
+    EXPECT_EQ(s.n.z, sign * planes[5]);
+    EXPECT_EQ(s.base_n.x, sign * planes[6]);
+    EXPECT_EQ(s.n_v, sign * planes[5]);
+  }
+  planes[5] = 0.8f;  // towards the viewer already
+  EXPECT_EQ(kernel::load_surface(planes, &frame, nullptr, 0).n.z, 0.8f);
 }
 
 }  // namespace

@@ -55,6 +55,7 @@ inline Cosines cosines_from(double n_l, double n_v, double l_v) {
   c.along2 = static_cast<float>(p.along2);
   c.tan2_h = static_cast<float>(p.tan2_h);
   c.chord2 = static_cast<float>(p.chord2);
+  c.r_l = static_cast<float>(p.r_l);
   return c;
 }
 

@@ -1,4 +1,5 @@
-// Includes point one way through the house: EXR -> gbuffer/ -> host/ -> kernels/ -> host/ -> gbuffer/ -> EXR (DESIGN.md). A folder knows only those below it.
+// Includes point one way through the house: EXR -> gbuffer/ -> host/ -> kernels/ -> host/ -> gbuffer/ -> EXR (DESIGN.md). A folder knows only those
+// below it.
 #include <gtest/gtest.h>
 
 #include <filesystem>

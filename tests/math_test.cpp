@@ -1,4 +1,4 @@
-// The kernels' elementary functions against the C library's in double, over dense sweeps of floats.
+// The kernels' elementary functions against the C library's in double, over dense sweeps of floats; and what is written where numbers are not finite.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -87,6 +87,15 @@ TEST(Math, ArcCosineTakesTheNearerEnd) {
   EXPECT_EQ(kernel::arc_cosine(1.5f), 0.0f);
   EXPECT_FLOAT_EQ(kernel::arc_cosine(-1.0f), 3.14159265f);
   EXPECT_FLOAT_EQ(kernel::arc_cosine(-kInfinity), 3.14159265f);
+}
+
+TEST(Finite, NothingButTheLargestNumbersIsChanged) {
+  constexpr float large = 0.999f * std::numeric_limits<float>::max();
+  for (const float x : {0.0f, 1e-38f, -5.0f, large, -large}) EXPECT_EQ(kernel::finite(x), x);
+  EXPECT_GE(kernel::finite(kInfinity), large);
+  EXPECT_LE(kernel::finite(kInfinity), std::numeric_limits<float>::max());
+  EXPECT_EQ(kernel::finite(-kInfinity), -kernel::finite(kInfinity));
+  EXPECT_EQ(kernel::finite(kNan), 0.0f);
 }
 
 }  // namespace

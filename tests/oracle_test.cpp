@@ -19,8 +19,7 @@ constexpr double kWideBound = 2e-6;   // 1.2e-6 was reached
 constexpr double kSharpBound = 3e-6;  // 1.4e-6 was reached
 
 /// One table: which lobe it is of, with which terms and constants, and what its columns are called here. `scale` times the table's f is ours.
-/// Wide lobes are forgiven `rounding`: Phong's R_v.l near 0 is a difference of numbers near 1, which hold no more than half an ulp; so is Fujii's
-/// 1 + t opposite to the viewer.
+/// Wide lobes are forgiven `rounding`: Fujii's 1 + t opposite to the viewer is a difference of numbers near 1, which hold no more than half an ulp.
 struct Table {
   const char* file;
   const char* kind;
@@ -41,8 +40,8 @@ constexpr Table kTables[] = {
     {"disney_diffuse", "diffuse", "burley", "albedo=1", ""},
     // One bounce alone: with so little albedo nothing bounces twice.
     {"fujii_oren_nayar", "diffuse", "cycles", "albedo=1e-7", "roughness=diffuse_roughness", 1e-7, 6e-8},
-    {"phong_original", "specular", "phong_original", "ks=1", "", 1, 6e-8},
-    {"phong_plausible", "specular", "phong", "ks=1", "", 1, 6e-8},
+    {"phong_original", "specular", "phong_original", "ks=1", "", 1, 0},
+    {"phong_plausible", "specular", "phong", "ks=1", "", 1, 0},
     {"blinn_phong_original", "specular", "blinn_phong_original", "ks=1", ""},
     {"blinn_phong_ndf", "specular", "blinn_phong", "ks=1", ""},
     {"blinn_phong_exact", "specular", "blinn_phong_exact", "ks=1", ""},

@@ -244,6 +244,18 @@ TEST(Distribution, NormalsProjectToTheSurface) {
   }
 }
 
+// Straight on, D G F/4 is 1/(4 pi alpha^2).
+TEST(Distribution, AMirrorIsALobeOfTheLeastWidth) {
+  kernel::Surface s = brightest_surface();
+  s.fresnel = kernel::FRESNEL_none;
+  for (const float alpha : {0.0f, 1e-5f, 1e-4f, 2e-4f}) {
+    s.alpha = alpha;
+    const double peak = 1 / (4 * kPi * std::pow(std::max(double(alpha), 1e-4), 2));
+    for (const auto& lobe : {kernel::specular_ggx, kernel::specular_beckmann, kernel::specular_cook_torrance})
+      EXPECT_NEAR(lobe(facing(1), s).x, peak, 1e-6 * peak) << alpha;
+  }
+}
+
 TEST(Fresnel, ReflectsBetweenNothingAndAllAndAllAtGrazing) {
   kernel::Surface s = kernel::default_surface();
   for (s.fresnel = 0; s.fresnel < kernel::FRESNEL_none; ++s.fresnel)

@@ -51,7 +51,8 @@ inline ProgramRun run_program(const std::vector<std::string>& arguments, const s
   std::ofstream(folder / "in") << input;
   std::string command = before + " " + shell_quoted(RELUME_PROGRAM);
   for (const std::string& argument : arguments) command += " " + shell_quoted(argument);
-  command += " <" + shell_quoted((folder / "in").string()) + " >" + shell_quoted((folder / "out").string()) + " 2>" + shell_quoted((folder / "err").string());
+  command += " <" + shell_quoted((folder / "in").string()) + " >" + shell_quoted((folder / "out").string()) + " 2>" +
+             shell_quoted((folder / "err").string());
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), text_of_file(folder / "out"), text_of_file(folder / "err")};
 }

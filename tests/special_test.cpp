@@ -111,11 +111,12 @@ TEST(Cycles, WhiteRoughDiffuseReflectsAllThatArrives) {
     }
 }
 
+// Cycles' own limit is roughness^4 = 2e-10, a roughness of 0.00376.
 TEST(Cycles, AMirrorShowsNoPointLight) {
   const kernel::Cosines mirror = kernel::cosines_from(0.8, 0.8, 0.28);
   for (const char* name : {"cycles_glossy", "cycles_principled"}) {
-    EXPECT_EQ(kernel::reflect_lobe(lobe_named("specular", name), mirror, white(0.003, kernel::DISTRIBUTION_multi_ggx)).x, 0) << name;
-    EXPECT_GT(kernel::reflect_lobe(lobe_named("specular", name), mirror, white(0.004, kernel::DISTRIBUTION_multi_ggx)).x, 1e6) << name;
+    EXPECT_EQ(kernel::reflect_lobe(lobe_named("specular", name), mirror, white(0.003758, kernel::DISTRIBUTION_multi_ggx)).x, 0) << name;
+    EXPECT_GT(kernel::reflect_lobe(lobe_named("specular", name), mirror, white(0.003765, kernel::DISTRIBUTION_multi_ggx)).x, 1e6) << name;
   }
 }
 
@@ -127,6 +128,20 @@ TEST(Cycles, SpecularLevelScalesReflectanceAtNormalIncidence) {
   for (const float level : {0.0f, 0.25f, 0.5f, 1.0f}) {
     s.specular_level = level;
     EXPECT_NEAR(kernel::specular_cycles_principled(straight, s).x / lobe, 0.08 * level, 1e-6) << level;
+  }
+}
+
+// Kulla and Conty 2017: their fit to a dielectric's mean reflectance, and Schlick's mean, which is f0 + (1 - f0)/21.
+TEST(Cycles, LaterBouncesReflectTheMeanOfFresnel) {
+  kernel::Surface s = white(0.5, kernel::DISTRIBUTION_multi_ggx);
+  s.one_bounce = 0.6f;
+  s.one_bounce_mean = 0.7f;
+  const auto gain_of = [](double fresnel) { return 1 + fresnel * 0.7 / (1 - fresnel * 0.3) * (1 - 0.6) / 0.6; };
+  for (const float eta : {1.5f, 2.0f, 3.0f}) {
+    const float f0 = (eta - 1) * (eta - 1) / ((eta + 1) * (eta + 1));
+    const kernel::CyclesGain gain = kernel::cycles_gain(s, kernel::grey(0.3f), f0, eta);
+    EXPECT_NEAR(gain.dielectric, gain_of(std::max<double>((eta - 1) / (4.08567 + 1.00071 * eta), f0)), 1e-6) << eta;
+    EXPECT_NEAR(gain.metal.y, gain_of(0.3 + 0.7 / 21), 1e-6);
   }
 }
 

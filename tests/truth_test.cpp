@@ -69,7 +69,8 @@ double psnr(const Rgb& image, const Rgb& reference, const std::vector<bool>& cho
 /// Shades into `folder` and reads the result; fails the test and returns nothing where the program did not exit 0.
 Channels shade(const TemporaryFolder& folder, const fs::path& gbuffer, const fs::path& rig, std::vector<std::string> options) {
   const std::string out = (folder / "out.exr").string();
-  std::vector<std::string> arguments{"shade", gbuffer.string(), "--lights", rig.string(), "-o", out, "--overwrite", "--quiet", "--layers", "diffuse,specular"};
+  std::vector<std::string> arguments{"shade", gbuffer.string(), "--lights", rig.string(), "-o",
+                                     out,     "--overwrite",    "--quiet",  "--layers",   "diffuse,specular"};
   arguments.insert(arguments.end(), options.begin(), options.end());
   const ProgramRun run = run_program(arguments);
   EXPECT_EQ(run.code, 0) << gbuffer << ": " << run.err;
@@ -182,8 +183,8 @@ TEST(Truth, Blender) {
     std::vector<bool> chosen(diffuse[0].size());
     for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = gbuffer.at(depth)[i] < 1e9f;
     const double db = psnr(rgb_of(image), sum(diffuse, glossy), chosen), wanted = test.facts["expect_db"];
-    print_row(folder.filename().string(),
-              {psnr(rgb_of(image, "diffuse."), diffuse, chosen), psnr(rgb_of(image, "specular."), glossy, chosen), db}, wanted);
+    print_row(folder.filename().string(), {psnr(rgb_of(image, "diffuse."), diffuse, chosen), psnr(rgb_of(image, "specular."), glossy, chosen), db},
+              wanted);
     EXPECT_GE(db, wanted) << folder.filename();
   }
 }

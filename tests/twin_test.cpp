@@ -58,7 +58,9 @@ TEST(Twin, DeviceAgrees) {
       // Of the lane counts that are not the device's own, every third program will do: the twin's lanes agree on all.
       const std::size_t step = everything || lanes == info.lanes ? 1 : 3;
       for (std::size_t k = std::size_t(lanes) % step; k < programs.size(); k += step) {
-        EXPECT_EQ(difference(shade_test_band(*device, programs[k].choice, TestRange::whole), shade_test_band(*open_twin(), programs[k].choice, TestRange::whole)), "")
+        EXPECT_EQ(difference(shade_test_band(*device, programs[k].choice, TestRange::whole),
+                             shade_test_band(*open_twin(), programs[k].choice, TestRange::whole)),
+                  "")
             << info.name << ": " << programs[k].diffuse << " + " << programs[k].specular << " with " << lanes << " lanes";
         ++compared;
       }

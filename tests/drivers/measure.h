@@ -48,11 +48,12 @@ inline std::vector<const Term*> offered(const std::vector<Term>& terms, const st
   return found;
 }
 
-/// Programs that together hold every lobe: a diffuse and a specular one go into one program, for they have planes of their own.
+/// Programs that together hold every lobe, and none of each half: a diffuse and a specular one share a program, for they have planes of their own.
 /// `all_terms`: with every Fresnel, shadowing and distribution that the specular lobe offers, not the default ones alone.
 inline std::vector<NamedChoice> programs_of_all_lobes(bool all_terms) {
-  std::vector<NamedChoice> programs;
   const std::vector<Lobe>&diffuse = diffuse_lobes(), &specular = specular_lobes();
+  std::vector<NamedChoice> programs{{choice_of(&diffuse[0], nullptr, nullptr, nullptr, nullptr), std::string(diffuse[0].name), "none"},
+                                    {choice_of(nullptr, &specular[0], nullptr, nullptr, nullptr), "none", std::string(specular[0].name)}};
   for (std::size_t i = 0; i < std::max(diffuse.size(), specular.size()); ++i) {
     const Lobe &d = diffuse[i % diffuse.size()], &s = specular[i % specular.size()];
     for (const Term* f : offered(fresnels(), s.fresnels, all_terms))
