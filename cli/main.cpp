@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <new>
+#include <string_view>
 
 #include "cli/commands.h"
 #include "gbuffer/error.h"
@@ -16,6 +17,23 @@ namespace {
 extern "C" void interrupted(int signal) {
   relume::remove_temporaries();
   _exit(128 + signal);
+}
+
+/// OpenCL drivers abort or fault the process on a damaged cache, a full disk or a defect of theirs. Nothing may be left behind then either.
+extern "C" void crashed(int) {
+  relume::remove_temporaries();
+  constexpr std::string_view line = "relume: crashed, most likely in the OpenCL driver; nothing was written (--device twin needs no driver)\n";
+  if (write(STDERR_FILENO, line.data(), line.size()) < 0) _exit(int(relume::ErrorKind::internal));
+  _exit(int(relume::ErrorKind::internal));
+}
+
+void catch_signals() {
+  std::signal(SIGINT, interrupted);
+  std::signal(SIGTERM, interrupted);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is an error of write(), with a sentence
+#ifndef __SANITIZE_ADDRESS__      // whose own report says more
+  for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL}) std::signal(signal, crashed);
+#endif
 }
 
 int complain(const std::string& message, int code) {
@@ -59,9 +77,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGINT, interrupted);
-  std::signal(SIGTERM, interrupted);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is an error of write(), with a sentence
+  catch_signals();
   try {
     return run(argc, argv);
   } catch (const relume::Error& error) {
