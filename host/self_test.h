@@ -11,7 +11,7 @@ namespace relume {
 double self_test(Device& device, const Choice& choice);
 
 /// The largest relative difference that passes on a device whose divide (2.5 ulp) and square root (3 ulp) are not correctly rounded. Such a device
-/// strays by 2e-5 with ordinary parameters (docs/portability.md), but a mirror's lobe, of alpha 1e-5, makes 4e-3 of the last bits of a direction.
+/// strays by 5e-5 with ordinary parameters (docs/portability.md), but a mirror's lobe, of alpha 1e-5, makes 4e-3 of the last bits of a direction.
 constexpr double self_test_tolerance = 5e-3;
 
 }  // namespace relume
