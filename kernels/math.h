@@ -31,10 +31,11 @@ RELUME_FN real exp_of(real x) {
 /// ln(1 + x) within 1.8 ulp of the result for every x > -1, however small or large; -infinity at -1 and below, NaN for NaN.
 /// 1 + x = 2^k (1 + f) with f in sqrt(1/2)-1..sqrt(2)-1. f comes from x, not from the rounded 1 + x, so that nothing is lost near 0.
 RELUME_FN real log1p_of(real x) {
-  const integer shift = (as_integer(1.0f + x) - 0x3f3504f3) & -0x800000;  // 0x3f3504f3 is sqrt(1/2); this is k in the exponent's place
+  const real b = choose(x > -1.0f, x, all_lanes(0.0f));                   // the bits of a negative number are no exponent
+  const integer shift = (as_integer(1.0f + b) - 0x3f3504f3) & -0x800000;  // 0x3f3504f3 is sqrt(1/2); this is k in the exponent's place
   const real k = to_real(shift) * 1.1920928955078125e-7f;                 // 2^-23
   const real scale = as_real(0x40800000 - shift);                         // 4 2^-k: 2^-k itself would be too small to hold for k = 128
-  const real f = 0.25f * (x * scale) + (0.25f * scale - 1.0f);
+  const real f = 0.25f * (b * scale) + (0.25f * scale - 1.0f);
   real p = all_lanes(0.0870040134f);
   p = p * f - 0.14266932f;
   p = p * f + 0.149145082f;
@@ -44,7 +45,7 @@ RELUME_FN real log1p_of(real x) {
   p = p * f + 0.333339095f;
   const real tail = (f * f) * (f * p - 0.5f) + k * RELUME_LN2_LOW;
   const real y = (f + tail) + k * RELUME_LN2_HIGH;
-  return choose(x <= -1.0f, all_lanes(-INFINITY), choose(x > 3.402823466e38f, x, y));
+  return choose(x > -1.0f, choose(x > 3.402823466e38f, x, y), choose(x == x, all_lanes(-INFINITY), x));
 }
 
 /// The angle in 0..pi whose cosine is x, within 2.7 ulp; x beyond -1..1 counts as the nearer end.
