@@ -42,12 +42,8 @@ class Binder {
   }
 
   void choose_lobes() {
-    const bool automatic = material_.specular.empty() && material_.diffuse.empty();
     if (material_.diffuse.empty()) material_.diffuse = reading_.default_diffuse;
     if (material_.specular.empty()) material_.specular = reading_.default_specular;
-    // A Blender file without GlossCol and without a base colour says nothing of a highlight.
-    if (automatic && material_.specular == "cycles_principled" && !in_file("glossy_albedo") && !in_file("base_color") && !given("albedo"))
-      material_.specular = "none";
     diffuse_ = material_.diffuse == "none" ? nullptr : &lobe_named(true, material_.diffuse);
     specular_ = material_.specular == "none" ? nullptr : &lobe_named(false, material_.specular);
     bound_.choice.diffuse = diffuse_ ? diffuse_->number : int(DIFFUSE_none);

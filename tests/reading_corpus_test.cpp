@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gbuffer/reading.h"
+#include "tests/reading_words.h"
 
 namespace relume {
 namespace {
@@ -31,17 +32,6 @@ std::vector<fs::path> cases_of(const std::string& renderer) {
 
 #define NEEDS_CORPUS(renderer) \
   if (!fs::exists(corpus / renderer)) GTEST_SKIP() << "the corpus is not beside the project: " << (corpus / renderer)
-
-std::string layer(const Reading& reading, const std::string& role) {
-  const auto found = reading.roles.find(role);
-  return found == reading.roles.end() ? "" : found->second.layer;
-}
-
-std::string notes(const Reading& reading) {
-  std::string text;
-  for (const std::string& note : reading.notes) text += note + "\n";
-  return text;
-}
 
 /// How far apart two cameras put the viewer: as an angle at the scene, whose distance the eye's from the origin stands for.
 double apart(const Camera& found, const glm::dvec3& eye, const glm::dvec3& backward) {

@@ -11,22 +11,12 @@
 
 #include "gbuffer/error.h"
 #include "tests/made_up_exr.h"
+#include "tests/reading_words.h"
 
 namespace relume {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string layer(const Reading& reading, const std::string& role) {
-  const auto found = reading.roles.find(role);
-  return found == reading.roles.end() ? "" : found->second.layer;
-}
-
-std::string notes(const Reading& reading) {
-  std::string text;
-  for (const std::string& note : reading.notes) text += note + "\n";
-  return text;
-}
 
 /// A dome seen by a camera at (0, 0, 4) that looks down -z, 90 degrees wide and high.
 double dome(const std::string& channel, int x, int y) {
