@@ -11,12 +11,19 @@
 
 namespace relume {
 
+/// Where the image lies on the film: a point (x, y, -z) in camera space is seen at centre_x + scale_x x/z, centre_y - scale_y y/z, in pixels of
+/// display-window coordinates (orthographic: without the division).
+struct Lens {
+  double scale_x, scale_y, centre_x, centre_y;
+};
+
 struct Camera {
   enum class Projection { perspective, orthographic };
   Projection projection = Projection::perspective;
   glm::dmat4 world_from_camera{1.0};  ///< columns: right, up, backward (the camera looks along its -z), eye. det < 0 in a left-handed world.
   double vertical_fov = 0;            ///< degrees, of the display window; 0: not known (shading does not need it)
   double height = 0;                  ///< orthographic: world units that the display window spans vertically; 0: not known
+  std::optional<Lens> lens;           ///< where known: positions are made from depth with it
   std::string source;                 ///< for people: "worldToCamera of part 0", "recovered from Position", "rig.gltf"
   double residual = -1;               ///< median reprojection error in pixels, where it was measured; else negative
 

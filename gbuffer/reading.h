@@ -1,6 +1,7 @@
 // How a file is to be read: which layer plays which role, in which space and encoding, on what evidence. `inspect` prints it, `shade` obeys it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -14,8 +15,31 @@ namespace relume {
 
 struct Convention;
 
-enum class Space { world, camera };
+enum class Space {
+  world,
+  camera,
+  view_ray  ///< normals only: V-Ray's frame of each pixel's own viewing ray (research: exr-conventions A.5)
+};
 enum class NormalEncoding { as_signed, as_unsigned };  ///< -1..1, or 0..1 for -1..1
+enum class DepthKind {
+  z,        ///< along the camera's axis
+  distance  ///< along the pixel's ray
+};
+
+/// How the stored components make up a vector: component i is sign[i] times the stored component from[i]. "x,-y,z" is a flipped green.
+struct Axes {
+  std::array<int, 3> from{0, 1, 2}, sign{1, 1, 1};
+  bool operator==(const Axes&) const = default;
+};
+
+/// One question that the file does not answer by itself, how the data answered it, and how sure that is.
+struct Verdict {
+  std::string question;  ///< "normal space"
+  std::string answer;    ///< "camera"
+  std::string evidence;  ///< one sentence with numbers: "agrees with the positions' own normals to 0.998 (world: 0.41)"
+  std::string option;    ///< what overrules it: "--normal-space"
+  bool sure = true;      ///< false: another answer is nearly as good, and the documented default was taken
+};
 
 /// What happens where a normal points away from the viewer.
 enum class Facing {
@@ -40,7 +64,8 @@ struct RoleLayer {
 };
 
 /// Roles: "position", "normal", "base_normal" (geometric), "tangent" (dp_du), "depth", "coverage" (alpha), "ids", "uv", and any parameter of a
-/// lobe: "albedo", "roughness", "base_color", "glossy_albedo", ...
+/// lobe: "albedo", "roughness", "base_color", "glossy_albedo", ... ; and what parameters can be made from: "glossiness" (1 - roughness),
+/// "diffuse_light" with "diffuse_raw_light" (their quotient is the albedo).
 struct Reading {
   std::string convention;  ///< a name of conventions()
   std::string evidence;    ///< why this convention: "header attribute generatedBy = \"Mitsuba version 3.9.1\""
@@ -52,6 +77,8 @@ struct Reading {
   double pixel_aspect = 1;
   Space position_space = Space::world, normal_space = Space::world;
   NormalEncoding normal_encoding = NormalEncoding::as_signed;
+  Axes normal_axes, position_axes;
+  DepthKind depth_kind = DepthKind::z;
   bool camera_z_forward = false;                       ///< layers in camera space: z points into the scene (pbrt, 3Delight), not out of it
   bool normal_in_tangent_frame = false;                ///< Mitsuba 3.9's bumpmap: n = s x + t y + base z (research: mitsuba-truth)
   std::vector<std::uint32_t> tangent_ids, bumped_ids;  ///< object ids that the tangent frame, and base normals, concern; empty: all
@@ -62,6 +89,8 @@ struct Reading {
   BumpShadowing bump_shadowing = BumpShadowing::none;
   std::string default_diffuse = "lambert", default_specular = "ggx";  ///< what --diffuse/--specular auto mean for this file
   std::optional<Camera> camera;
+  std::vector<Verdict> verdicts;   ///< what the data were asked, in order
+  std::vector<std::string> made;   ///< what the file lacked and was made: "position from depth (VRayZDepth) and the header's camera"
   std::vector<std::string> notes;  ///< one sentence each: what was found out from the data and how sure, what was assumed, how to overrule it
 };
 
@@ -73,6 +102,9 @@ struct ReadingOptions {
   std::map<std::string, std::string> map;  ///< role -> layer
   std::optional<Space> normal_space, position_space;
   std::optional<NormalEncoding> normal_encoding;
+  std::optional<Axes> normal_axes, position_axes;
+  std::optional<DepthKind> depth_kind;
+  std::optional<bool> premultiplied;  ///< whether layers are means over the pixel that include misses as 0
   std::optional<Facing> facing;
   std::optional<BumpShadowing> bump_shadowing;
   std::optional<Camera> camera;  ///< from a rig, a glTF or another file: wins over the header's; nullopt: header, else recovered
