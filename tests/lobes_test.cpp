@@ -89,7 +89,7 @@ TEST(Lobes, UsersMayWriteRoughnessForAlphaAndAlbedoForBaseColour) {
 }
 
 TEST(Lobes, FixedNamesAreThere) {
-  for (const char* name : {"lambert", "lambert_original", "oren_nayar", "eon", "burley", "plastic", "principled", "cycles"})
+  for (const char* name : {"lambert", "lambert_original", "oren_nayar", "eon", "burley", "plastic", "principled", "gltf", "cycles"})
     EXPECT_NE(find_lobe(true, name), nullptr) << name;
   for (const char* name : {"phong_original", "phong", "blinn_phong_original", "blinn_phong", "blinn_phong_exact", "cook_torrance", "beckmann", "ggx",
                            "principled", "cycles_principled", "cycles_glossy"})

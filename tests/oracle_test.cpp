@@ -38,6 +38,7 @@ constexpr Table kTables[] = {
     {"oren_nayar_qualitative", "diffuse", "oren_nayar", "albedo=1", "sigma_rad=sigma"},
     {"eon", "diffuse", "eon", "", "rho=albedo roughness=sigma_r"},
     {"disney_diffuse", "diffuse", "burley", "albedo=1", ""},
+    {"gltf", "diffuse", "gltf", "albedo=1", ""},
     // One bounce alone: with so little albedo nothing bounces twice.
     {"fujii_oren_nayar", "diffuse", "cycles", "albedo=1e-7", "roughness=diffuse_roughness", 1e-7, 6e-8},
     {"phong_original", "specular", "phong_original", "ks=1", "", 1, 0},

@@ -108,6 +108,7 @@ std::vector<Sample> samples_of(const kernel::Lobe& lobe, std::string_view fresne
     for (const std::string& shadowing : choices_in(lobe.shadowings))
       for (const std::string& distribution : choices_in(lobe.distributions)) {
         Sample base{brightest_surface(), ""};
+        if (lobe.kind == "diffuse") kernel::set_parameter(base.surface, "f0", kernel::default_surface().f0.x);  // what is mirrored cannot be diffused
         if (!fresnel.empty()) base.surface.fresnel = kernel::fresnel_named(fresnel);
         if (!shadowing.empty()) base.surface.shadowing = kernel::shadowing_named(shadowing);
         if (!distribution.empty()) base.surface.distribution = kernel::distribution_named(distribution);

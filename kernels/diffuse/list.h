@@ -13,6 +13,7 @@
   LOBE(plastic, "albedo ior alpha roughness nonlinear", "", "", "", "positive reciprocal", "Mitsuba 3, plastic and roughplastic")          \
   LOBE(principled, "albedo roughness metallic flatness sheen sheen_tint", "", "", "", "positive reciprocal",                               \
        "Burley 2012 and 2015 as in Mitsuba 3, principled")                                                                                 \
+  LOBE(gltf, "albedo metallic f0 f90", "", "", "", "positive reciprocal conserving", "glTF 2.0, appendix B, with KHR_materials_specular")  \
   LOBE(cycles, "albedo diffuse_roughness", "", "", "", "positive reciprocal conserving", "Cycles; Fujii's Oren-Nayar with OpenPBR's energy term")
 
 #endif
