@@ -2,6 +2,10 @@
 #include "cli/reading_arguments.h"
 
 #include <algorithm>
+#include <array>
+#include <sstream>
+#include <string_view>
+#include <utility>
 
 #include "gbuffer/error.h"
 #include "host/json.h"
@@ -22,9 +26,20 @@ void ReadingArguments::add_to(CLI::App& command) {
   command.add_option("--view-layer", view_layer, "Blender's view layer; default: the first")->group(group);
   command.add_option("--view", view, "the stereo view: left, right; default: the first")->group(group);
   command.add_option("--camera", camera, "a rig, a glTF or an EXR that has the camera, or auto: recovered from the positions")->group(group);
-  command.add_option("--normal-space", normal_space, "space of the normals")->check(CLI::IsMember({"world", "camera"}))->group(group);
+  command.add_option("--normal-space", normal_space, "space of the normals")->check(CLI::IsMember({"world", "camera", "view-ray"}))->group(group);
   command.add_option("--position-space", position_space, "space of the positions")->check(CLI::IsMember({"world", "camera"}))->group(group);
   command.add_option("--normal-encoding", normal_encoding, "-1..1 or 0..1")->check(CLI::IsMember({"signed", "unsigned"}))->group(group);
+  command.add_option("--normal-axes", normal_axes, "how stored components make up x,y,z: x,-y,z is a flipped green")->group(group);
+  command.add_option("--position-axes", position_axes, "the same for positions: x,z,-y takes y up to z up")->group(group);
+  command.add_option("--position-scale", position_scale, "world units for one of the stored positions': 0.01 where they are in centimetres")
+      ->check(CLI::PositiveNumber)
+      ->group(group);
+  command.add_option("--depth-kind", depth_kind, "along the camera's axis, or along each pixel's ray")
+      ->check(CLI::IsMember({"z", "distance"}))
+      ->group(group);
+  command.add_option("--premultiplied", premultiplied, "whether layers are means over the pixel that count misses as 0")
+      ->check(CLI::IsMember({"yes", "no"}))
+      ->group(group);
   command
       .add_option("--facing", facing, "normals that point away from the viewer: as-stored (lit where n.l > 0), one-sided (black), two-sided (turned)")
       ->check(CLI::IsMember({"as-stored", "one-sided", "two-sided"}))
@@ -45,6 +60,23 @@ void check_role(const std::string& role) {
     throw Error(ErrorKind::input, "--map: no role " + in_quotes(role) + " (has: " + listed(roles) + ")");
 }
 
+/// "x,-y,z": each axis once, with or without a minus.
+Axes axes_of(const char* option, const std::string& text) {
+  Axes axes;
+  std::array<bool, 3> used{};
+  std::stringstream words(text);
+  std::size_t i = 0;
+  for (std::string word; std::getline(words, word, ','); ++i) {
+    const bool negative = word.starts_with('-');
+    const std::size_t axis = word.size() == std::size_t(negative ? 2 : 1) ? std::string_view("xyz").find(word.back()) : std::string_view::npos;
+    if (i >= 3 || axis == std::string_view::npos || std::exchange(used[axis], true)) break;
+    axes.from[i] = int(axis);
+    axes.sign[i] = negative ? -1 : 1;
+  }
+  if (i != 3 || text.ends_with(',')) throw Error(ErrorKind::input, std::string(option) + " " + text + ": is not three axes, each once (x,-y,z)");
+  return axes;
+}
+
 }  // namespace
 
 ReadingOptions ReadingArguments::options() const {
@@ -60,9 +92,15 @@ ReadingOptions ReadingArguments::options() const {
     check_role(entry.substr(0, equals));
     options.map[entry.substr(0, equals)] = entry.substr(equals + 1);
   }
-  if (!normal_space.empty()) options.normal_space = normal_space == "world" ? Space::world : Space::camera;
+  if (!normal_space.empty())
+    options.normal_space = normal_space == "world" ? Space::world : normal_space == "camera" ? Space::camera : Space::view_ray;
   if (!position_space.empty()) options.position_space = position_space == "world" ? Space::world : Space::camera;
   if (!normal_encoding.empty()) options.normal_encoding = normal_encoding == "signed" ? NormalEncoding::as_signed : NormalEncoding::as_unsigned;
+  if (!normal_axes.empty()) options.normal_axes = axes_of("--normal-axes", normal_axes);
+  if (!position_axes.empty()) options.position_axes = axes_of("--position-axes", position_axes);
+  if (position_scale > 0) options.position_scale = position_scale;
+  if (!depth_kind.empty()) options.depth_kind = depth_kind == "z" ? DepthKind::z : DepthKind::distance;
+  if (!premultiplied.empty()) options.premultiplied = premultiplied == "yes";
   if (!facing.empty()) options.facing = facing == "as-stored" ? Facing::as_stored : facing == "one-sided" ? Facing::one_sided : Facing::two_sided;
   if (!bump_shadowing.empty())
     options.bump_shadowing = bump_shadowing == "none"      ? BumpShadowing::none

@@ -13,7 +13,8 @@ struct ReadingArguments {
   std::string convention, view_layer, view, camera;
   int part = -1;
   std::vector<std::string> map;
-  std::string normal_space, position_space, normal_encoding, facing, bump_shadowing;
+  std::string normal_space, position_space, normal_encoding, normal_axes, position_axes, depth_kind, premultiplied, facing, bump_shadowing;
+  double position_scale = 0;
 
   void add_to(CLI::App& command);
   /// Throws Error{input}.

@@ -13,6 +13,8 @@
 
 #include "gbuffer/edges.h"
 #include "gbuffer/error.h"
+#include "gbuffer/layer_frame.h"
+#include "gbuffer/made_normals.h"
 
 namespace relume {
 namespace {
@@ -92,12 +94,10 @@ class Finisher {
   Finisher(GBuffer& g, const Reading& reading, const Loose& loose)
       : g_(g),
         reading_(reading),
+        frame_(reading),
         loose_(loose),
         tangent_ids_(reading.tangent_ids.begin(), reading.tangent_ids.end()),
-        bumped_ids_(reading.bumped_ids.begin(), reading.bumped_ids.end()) {
-    if (reading.camera) world_from_layer_ = reading.camera->world_from_camera;
-    if (reading.camera_z_forward) world_from_layer_[2] *= -1.0;
-  }
+        bumped_ids_(reading.bumped_ids.begin(), reading.bumped_ids.end()) {}
 
   Count finish(std::size_t begin, std::size_t end) const {
     Count count;
@@ -117,35 +117,48 @@ class Finisher {
     return ids.empty() || (!loose_.ids.empty() && ids.contains(loose_.ids[i]));
   }
 
-  dvec3 decoded(const dvec3& n) const { return reading_.normal_encoding == NormalEncoding::as_signed || n == dvec3(0) ? n : 2.0 * n - 1.0; }
-  dvec3 unit_in_world(const dvec3& n) const {
+  dvec3 unit_in_world(const dvec3& decoded, const dvec3& position) const {
     constexpr double no_direction = 1e-6;  // less than the smallest half float is rounding, or a filter's tail
-    const double length = glm::length(n);
+    const double length = glm::length(decoded);
     if (!(length > no_direction)) return dvec3(0);
-    return reading_.normal_space == Space::camera ? glm::normalize(glm::dmat3(world_from_layer_) * (n / length)) : n / length;
+    return unit(frame_.direction_in_world(decoded / length, position));
+  }
+  static dvec3 unit(const dvec3& n) { return n / glm::length(n); }
+
+  /// World; infinite where a depth says that nothing is there.
+  dvec3 position_at(std::size_t i, double coverage) const {
+    const double share = reading_.position_premultiplied ? coverage : 1;
+    if (!made_positions_) return frame_.position_in_world(get(g_.position, i) / share);
+    const Window& w = g_.window;
+    const int x = w.min_x + int(i % std::size_t(w.width())), y = w.min_y + int(i / std::size_t(w.width()));
+    return frame_.position_from_depth(x, y, loose_.depth[i] / share);
+  }
+
+  bool in_background(std::size_t i) const {
+    if (loose_.depth.empty()) return false;
+    const float depth = std::abs(loose_.depth[i]);
+    return !(depth < reading_.background_depth) || (made_positions_ && depth == 0);
   }
 
   void finish_pixel(std::size_t i, Count& count) const {
-    const dvec3 stored = decoded(get(g_.normal, i));
-    dvec3 position = get(g_.position, i);
     const double coverage = loose_.coverage.empty() ? 1 : loose_.coverage[i];
+    const dvec3 stored = frame_.decoded(get(g_.normal, i));
+    const bool far = in_background(i);
+    const dvec3 position = far || !(coverage > 0) ? get(g_.position, i) : position_at(i, coverage);
     const bool bad = !finite(stored) || !finite(position);
     count.bad += bad;
-    const dvec3 normal = bad ? dvec3(0) : unit_in_world(stored);
-    const bool far = !loose_.depth.empty() && !(std::abs(loose_.depth[i]) < reading_.background_depth);
-    if (normal == dvec3(0) || far || !(coverage > 0)) return finish_empty(i);
-    if (reading_.position_premultiplied) position /= coverage;
-    if (reading_.position_space == Space::camera) position = dvec3(world_from_layer_ * glm::dvec4(position, 1));
+    const dvec3 normal = bad || far ? dvec3(0) : unit_in_world(stored, position);
+    if (normal == dvec3(0) || !(coverage > 0)) return finish_empty(i);
     put(g_.position, i, position);
-    finish_normals(i, normal);
+    finish_normals(i, normal, position);
     finish_roles(i, reading_.position_premultiplied ? 1 / coverage : 1);
     g_.planes.plane(g_.coverage.first)[i] = float(coverage);
     ++count.surface;
     count.partial += coverage < 1;
   }
 
-  void finish_normals(std::size_t i, const dvec3& normal) const {
-    const dvec3 base = g_.base_normal.count ? unit_in_world(decoded(get(g_.base_normal, i))) : dvec3(0);
+  void finish_normals(std::size_t i, const dvec3& normal, const dvec3& position) const {
+    const dvec3 base = g_.base_normal.count ? unit_in_world(frame_.decoded(get(g_.base_normal, i)), position) : dvec3(0);
     const bool usable = finite(base) && base != dvec3(0);
     dvec3 shading = normal;
     if (usable && !loose_.tangent.empty() && concerns(tangent_ids_, i)) shading = from_tangent_frame(normal, base, i);
@@ -181,16 +194,17 @@ class Finisher {
 
   GBuffer& g_;
   const Reading& reading_;
+  const LayerFrame frame_;
   const Loose& loose_;
   const std::set<std::uint32_t> tangent_ids_, bumped_ids_;
-  glm::dmat4 world_from_layer_{1.0};
+  const bool made_positions_ = is_made(reading_, "position");
 };
 
 Loose read_layers(const ExrFile& file, const Reading& reading, const std::vector<std::string>& roles, GBuffer& g) {
   Request request{{}, g.window.width()};
   Loose loose;
-  g.position = add_planes(g, request, layer_of(file, reading, "position"));
-  g.normal = add_planes(g, request, layer_of(file, reading, "normal"));
+  g.position = is_made(reading, "position") ? PlaneRange{g.planes.add(3), 3} : add_planes(g, request, layer_of(file, reading, "position"));
+  g.normal = is_made(reading, "normal") ? PlaneRange{g.planes.add(3), 3} : add_planes(g, request, layer_of(file, reading, "normal"));
   if (has(reading, "base_normal")) g.base_normal = add_planes(g, request, reading.roles.at("base_normal"));
   g.coverage = {g.planes.add(1), 1};
   for (const std::string& role : roles)
@@ -205,6 +219,7 @@ Loose read_layers(const ExrFile& file, const Reading& reading, const std::vector
   }
   if (ids_needed(reading, roles)) add_ids(file, reading, request, loose, std::size_t(g.window.pixels()));
   request.read(file, g.window);
+  if (is_made(reading, "normal")) make_normals(file, reading, g.window, {g.planes.plane(g.normal.first), g.planes.stride()});
   if (reading.position_premultiplied) {
     Edges edges = mend_edges(file, reading, g.window);
     loose.coverage = std::move(edges.coverage);

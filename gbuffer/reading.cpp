@@ -10,6 +10,7 @@
 #include "gbuffer/find_camera.h"
 #include "gbuffer/printable.h"
 #include "gbuffer/role_layers.h"
+#include "gbuffer/solver/solve.h"
 
 namespace relume {
 
@@ -76,22 +77,42 @@ void apply_options(const ReadingOptions& options, Reading& reading) {
   if (options.normal_space) reading.normal_space = *options.normal_space;
   if (options.position_space) reading.position_space = *options.position_space;
   if (options.normal_encoding) reading.normal_encoding = *options.normal_encoding;
+  if (options.normal_axes) reading.normal_axes = *options.normal_axes;
+  if (options.position_axes) reading.position_axes = *options.position_axes;
+  if (options.position_scale) reading.position_scale = *options.position_scale;
+  if (options.depth_kind) reading.depth_kind = *options.depth_kind;
   if (options.facing) reading.facing = *options.facing;
   if (options.bump_shadowing) reading.bump_shadowing = *options.bump_shadowing;
 }
 
+/// Positions can be made from depth, and normals from either.
 void require_roles(const ExrFile& file, const ReadingOptions& options, const Reading& reading) {
-  for (const char* role : {"normal", "position"}) {
-    if (reading.roles.contains(role)) continue;
-    const auto tried = reading.looked_for.find(role);
-    const std::string names = tried == reading.looked_for.end() ? "" : "looked for " + tried->second + "; ";
-    refuse(file, "part " + std::to_string(options.part.value_or(0)) + ": no " + role + " layer (" + names + "--map " + role + "=LAYER names one)");
+  if (reading.roles.contains("position") || reading.roles.contains("depth")) return;
+  const std::string role = reading.roles.contains("normal") ? "position" : "normal";
+  const auto tried = reading.looked_for.find(role);
+  const std::string names = tried == reading.looked_for.end() ? "" : "looked for " + tried->second + "; ";
+  refuse(file, "part " + std::to_string(options.part.value_or(0)) + ": no " + role + (role == "position" ? " or depth" : "") + " layer (" + names +
+                   "--map " + role + "=LAYER names one)");
+}
+
+/// What the file lacks is made from what it has, and said.
+void make_missing(const ExrFile& file, Reading& reading) {
+  const std::string camera = reading.camera ? " and the camera (" + reading.camera->source + ")" : "";
+  if (is_made(reading, "position")) {
+    if (!reading.camera || !reading.camera->lens)
+      refuse(file, "part " + std::to_string(reading.part) + ": no position layer, and none can be made from depth without a camera's field of view" +
+                       " (--map position=LAYER names a layer, --camera FILE a camera)");
+    const std::string kind = reading.depth_kind == DepthKind::z ? ", along the axis" : ", along the ray";
+    reading.made.push_back("position from depth (" + reading.roles.at("depth").layer + kind + ")" + camera);
   }
+  if (is_made(reading, "normal"))
+    reading.made.push_back(std::string("normal from ") + (is_made(reading, "position") ? "the positions made" : reading.roles.at("position").layer) +
+                           ": facets, without bump or smoothing (--map normal=LAYER names a layer)");
 }
 
 /// Output follows the part with the positions; pixels that some layer lacks are left out.
 void set_windows(const ExrFile& file, Reading& reading) {
-  reading.part = reading.roles.at("position").part;
+  reading.part = reading.roles.at(is_made(reading, "position") ? "depth" : "position").part;
   const Part& part = file.parts()[std::size_t(reading.part)];
   reading.display_window = part.display_window;
   reading.pixel_aspect = part.header.pixelAspectRatio();
@@ -147,6 +168,8 @@ const Convention& convention_of(const ExrFile& file, const ReadingOptions& optio
   refuse(file, "no convention \"" + printable(options.convention) + "\" (there are: " + joined(names) + ")");
 }
 
+bool is_made(const Reading& reading, const std::string& role) { return (role == "position" || role == "normal") && !reading.roles.contains(role); }
+
 RoleLayer find_layer(const ExrFile& file, const Reading& reading, const std::string& name) {
   return found_layer(file, chosen_layers(layers_of(file), reading.view_layer, reading.view), name, "");
 }
@@ -169,7 +192,10 @@ Reading understand(const ExrFile& file, const ReadingOptions& options) {
   require_roles(file, options, reading);
   set_windows(file, reading);
   if (convention.settle_space) convention.settle_space(file, options, reading);
+  solve_before_camera(file, options, reading);
   find_camera(file, options, reading);
+  solve_with_camera(file, options, reading);
+  make_missing(file, reading);
   if (convention.settle) convention.settle(file, options, reading);
   return reading;
 }

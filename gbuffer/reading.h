@@ -77,10 +77,10 @@ struct Reading {
   double pixel_aspect = 1;
   Space position_space = Space::world, normal_space = Space::world;
   NormalEncoding normal_encoding = NormalEncoding::as_signed;
-  Axes normal_axes, position_axes;
+  Axes normal_axes, position_axes;  ///< camera space that points z into the scene (pbrt, 3Delight) is x,y,-z
   DepthKind depth_kind = DepthKind::z;
-  bool camera_z_forward = false;                       ///< layers in camera space: z points into the scene (pbrt, 3Delight), not out of it
-  bool normal_in_tangent_frame = false;                ///< Mitsuba 3.9's bumpmap: n = s x + t y + base z (research: mitsuba-truth)
+  double position_scale = 1;             ///< world units for one of the stored positions' (a camera in metres, positions in centimetres)
+  bool normal_in_tangent_frame = false;  ///< Mitsuba 3.9's bumpmap: n = s x + t y + base z (research: mitsuba-truth)
   std::vector<std::uint32_t> tangent_ids, bumped_ids;  ///< object ids that the tangent frame, and base normals, concern; empty: all
   bool position_premultiplied = false;  ///< position is a mean over the pixel including misses as 0: divide by coverage, and so is every other layer
   bool colour_premultiplied = false;    ///< albedo and other colours carry coverage, so radiance needs no factor of its own
@@ -103,6 +103,7 @@ struct ReadingOptions {
   std::optional<Space> normal_space, position_space;
   std::optional<NormalEncoding> normal_encoding;
   std::optional<Axes> normal_axes, position_axes;
+  std::optional<double> position_scale;
   std::optional<DepthKind> depth_kind;
   std::optional<bool> premultiplied;  ///< whether layers are means over the pixel that include misses as 0
   std::optional<Facing> facing;
@@ -114,6 +115,9 @@ struct ReadingOptions {
 /// Understands a file. Throws Error{input} when a needed role is missing ("no normal layer (looked for N, Normal, ...; --map normal=LAYER names
 /// one)").
 Reading understand(const ExrFile& file, const ReadingOptions& options);
+
+/// Whether a role that the file lacks is made from others: "position" from depth and the camera, "normal" from positions.
+bool is_made(const Reading& reading, const std::string& role);
 
 /// The layer that a person means by `name` (for --map and "layer:NAME"): exact, else without regard to case, spaces, '_' and '-', with or without the
 /// view layer; among those of the chosen view layer and view. Throws Error{input} that lists the layers there are.

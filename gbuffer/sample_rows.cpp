@@ -34,14 +34,15 @@ Clarity clarity_of(const SampledBand& band, const Reading& reading) {
                      *const coverage = plane("coverage");
   const std::size_t pixels = std::size_t(band.window.pixels());
   Clarity clarity{std::vector<char>(pixels), std::vector<char>(pixels)};
+  if (!position) return clarity;
   for (std::size_t i = 0; i < pixels; ++i) {
     const float* p = position + 3 * i;
-    const glm::dvec3 n = decoded_normal(reading, {normal[3 * i], normal[3 * i + 1], normal[3 * i + 2]});
+    const glm::dvec3 n = normal ? decoded_normal(reading, {normal[3 * i], normal[3 * i + 1], normal[3 * i + 2]}) : glm::dvec3(p[0], p[1], p[2]);
     const double length = glm::length(n);
     if (!std::isfinite(p[0] + p[1] + p[2]) || !std::isfinite(length) || length == 0) continue;
     if (depth && !(std::abs(depth[i]) < reading.background_depth)) continue;
     clarity.surface[i] = 1;
-    clarity.clear[i] = std::abs(length - 1) < 0.01 && !(reading.position_premultiplied && coverage && coverage[i] < 0.999f);
+    clarity.clear[i] = (!normal || std::abs(length - 1) < 0.01) && !(reading.position_premultiplied && coverage && coverage[i] < 0.999f);
   }
   return clarity;
 }
@@ -105,7 +106,7 @@ std::vector<Sighting> clear_sightings(const std::vector<SampledBand>& bands, con
     const auto [band, i] = pixels[k];
     const double x = band->window.min_x + double(i % band->window.width()), y = band->window.min_y + double(i / band->window.width());
     sightings.push_back({x + 0.5, y + 0.5, band->vector("position", i)});
-    normals.push_back(decoded_normal(reading, band->vector("normal", i)));
+    normals.push_back(band->has("normal") ? decoded_normal(reading, band->vector("normal", i)) : glm::dvec3(0));
   }
   return sightings;
 }

@@ -1,10 +1,6 @@
 // Any other renderer: layers by the names that are common to many (research: exr-conventions 0.3), spaces by the names' own hints.
-#include <algorithm>
-#include <glm/geometric.hpp>
-
 #include "gbuffer/reading.h"
 #include "gbuffer/role_layers.h"
-#include "gbuffer/sample_rows.h"
 
 namespace relume {
 namespace {
@@ -41,19 +37,10 @@ void assign_roles(const ExrFile&, const std::vector<Layer>& layers, Reading& rea
   reading.facing = Facing::as_stored;
 }
 
-/// Camera space has z into the scene or out of it: what is seen lies in front.
-void settle_space(const ExrFile& file, const ReadingOptions&, Reading& reading) {
-  if (reading.position_space != Space::camera) return;
-  std::vector<glm::dvec3> normals;
-  const auto sightings = clear_sightings(sample_rows(file, reading, {"position", "normal", "depth"}), reading, normals);
-  const auto ahead = std::count_if(sightings.begin(), sightings.end(), [](const Sighting& s) { return s.position.z > 0; });
-  reading.camera_z_forward = 2 * std::size_t(ahead) > sightings.size();
-}
-
 }  // namespace
 
 extern const Convention convention_generic;
 const Convention convention_generic{
-    "generic", "plain layer names", "names collected from many renderers' documents and files", recognise, assign_roles, settle_space, nullptr};
+    "generic", "plain layer names", "names collected from many renderers' documents and files", recognise, assign_roles, nullptr, nullptr};
 
 }  // namespace relume

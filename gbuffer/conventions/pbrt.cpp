@@ -1,11 +1,9 @@
 // pbrt-v4's GBufferFilm: shading normals Ns, positions P, premultiplied Albedo, world or camera space unsaid (research: pbrt-truth).
 #include <algorithm>
-#include <cmath>
 
 #include "gbuffer/camera_header.h"
 #include "gbuffer/reading.h"
 #include "gbuffer/role_layers.h"
-#include "gbuffer/sample_rows.h"
 
 namespace relume {
 namespace {
@@ -48,7 +46,6 @@ void assign_roles(const ExrFile&, const std::vector<Layer>& layers, Reading& rea
   if (const auto uv = reading.roles.find("uv"); uv != reading.roles.end()) uv->second.layer = "uv";
   reading.facing = Facing::two_sided;
   reading.colour_premultiplied = true;
-  reading.camera_z_forward = true;
   reading.default_diffuse = "lambert";
   reading.default_specular = "none";
   reading.notes.push_back(
@@ -62,41 +59,12 @@ std::optional<Camera> stored_camera(const ExrFile& file, const Reading& reading)
   return cameras.back();
 }
 
-/// The viewer at the origin, x right, y up, z forward: what camera-space positions must reproject with.
-Camera camera_space(Camera::Projection projection) {
-  Camera camera;
-  camera.projection = projection;
-  camera.world_from_camera[2] *= -1.0;
-  return camera;
-}
-
+/// Which space P, N and Ns are in, the file does not say: positions will tell (gbuffer/solver/position_space.cpp), given the camera.
 void settle_space(const ExrFile& file, const ReadingOptions& options, Reading& reading) {
-  const auto camera = stored_camera(file, reading);
-  if (!camera) {
-    if (!options.position_space)
-      reading.notes.push_back("no worldToCamera: positions are taken to be in world space (--position-space camera says otherwise)");
-    return;
-  }
-  std::vector<glm::dvec3> normals;
-  const auto sightings = clear_sightings(sample_rows(file, reading, {"position", "normal"}), reading, normals);
-  reading.camera = camera;
-  if (options.position_space || sightings.empty()) {
-    if (!options.normal_space) reading.normal_space = reading.position_space;
-    return;
-  }
-  const PoseFit in_world = fit_pose(*camera, sightings), in_camera = fit_pose(camera_space(camera->projection), sightings);
-  const double world = in_world.residual, seen = in_camera.residual;
-  reading.position_space = seen < world ? Space::camera : Space::world;
+  reading.camera = stored_camera(file, reading);
+  if (!reading.camera && !options.position_space)
+    reading.notes.push_back("no worldToCamera: positions are taken to be in world space (--position-space camera says otherwise)");
   if (!options.normal_space) reading.normal_space = reading.position_space;
-  if (reading.position_space == Space::camera) {
-    reading.camera->residual = seen;
-    if (seen < 1) set_extent(*reading.camera, in_camera, reading.display_window);
-  }
-  const auto pixels = [](double v) { return std::isfinite(v) ? std::to_string(v).substr(0, 6) + " px" : std::string("the wrong way round"); };
-  reading.notes.push_back(std::string("P, N and Ns are in ") + (seen < world ? "camera" : "world") + " space: reprojected, P misses its pixel by " +
-                          pixels(std::min(world, seen)) + " (the other reading: " + pixels(std::max(world, seen)) + ")");
-  if (std::min(world, seen) > 1)
-    reading.notes.push_back("warning: neither reading of P fits the header's camera (--position-space and --camera decide)");
 }
 
 }  // namespace

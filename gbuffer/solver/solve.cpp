@@ -1,0 +1,35 @@
+// The questions, one after the other over one sample.
+#include "gbuffer/solver/solve.h"
+
+#include <cstdio>
+
+#include "gbuffer/solver/list.h"
+#include "gbuffer/solver/question.h"
+
+namespace relume {
+
+#define RELUME_DECLARE(name) void ask_##name(const Asked& asked, Reading& reading);
+RELUME_QUESTIONS_BEFORE_CAMERA(RELUME_DECLARE)
+RELUME_QUESTIONS_WITH_CAMERA(RELUME_DECLARE)
+
+std::string in_words(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", number);
+  return text;
+}
+
+#define RELUME_ASK(name) ask_##name(asked, reading);
+
+void solve_before_camera(const ExrFile& file, const ReadingOptions& options, Reading& reading) {
+  const auto bands = sample_rows(file, reading, {"position", "normal", "depth", "coverage"});
+  const Asked asked{file, bands, options};
+  RELUME_QUESTIONS_BEFORE_CAMERA(RELUME_ASK)
+}
+
+void solve_with_camera(const ExrFile& file, const ReadingOptions& options, Reading& reading) {
+  const auto bands = sample_rows(file, reading, {"position", "normal", "base_normal", "depth", "coverage", "ids"});
+  const Asked asked{file, bands, options};
+  RELUME_QUESTIONS_WITH_CAMERA(RELUME_ASK)
+}
+
+}  // namespace relume
