@@ -53,7 +53,8 @@ namespace {
 
 /// A mistyped role would be mapped and never read.
 void check_role(const std::string& role) {
-  std::vector<std::string_view> roles{"position", "normal", "base_normal", "tangent", "depth", "coverage", "ids", "uv"};
+  std::vector<std::string_view> roles{"position", "normal",     "base_normal",   "tangent",          "depth", "coverage", "ids",
+                                      "uv",       "glossiness", "diffuse_light", "diffuse_raw_light"};
   const std::vector<std::string_view> parameters = parameter_names();
   roles.insert(roles.end(), parameters.begin(), parameters.end());
   if (std::find(roles.begin(), roles.end(), role) == roles.end())

@@ -23,7 +23,7 @@ using glm::dvec3;
 
 /// Layers that are read but not kept.
 struct Loose {
-  std::vector<float> depth, tangent;
+  std::vector<float> depth, tangent, raw_light;
   std::vector<float> float_ids, coverage;
   std::vector<std::uint32_t> ids;
 };
@@ -177,9 +177,10 @@ class Finisher {
   void finish_roles(std::size_t i, double factor) const {
     for (const auto& [role, range] : g_.roles) {
       if (role == "coverage") continue;
+      const double own = role == "albedo" && made_albedo_ ? std::min(factor, 1.0) : factor;  // a quotient carries no coverage
       for (int c = 0; c < range.count; ++c) {
         float& value = g_.planes.plane(range.first + c)[i];
-        value = std::isfinite(value) ? float(value * factor) : 0;
+        value = std::isfinite(value) ? float(value * own) : 0;
       }
     }
   }
@@ -197,8 +198,29 @@ class Finisher {
   const LayerFrame frame_;
   const Loose& loose_;
   const std::set<std::uint32_t> tangent_ids_, bumped_ids_;
+  const bool made_albedo_ = is_made(reading_, "albedo");
   const bool made_positions_ = is_made(reading_, "position");
 };
+
+/// A role's planes; where the albedo has to be made they hold the light that it coloured, to be divided by the light itself.
+PlaneRange add_role(const ExrFile& file, const Reading& reading, const std::string& role, Request& request, GBuffer& g, Loose& loose) {
+  if (!is_made(reading, role)) return add_planes(g, request, layer_of(file, reading, role));
+  const RoleLayer& raw = reading.roles.at("diffuse_raw_light");
+  loose.raw_light.resize(std::size_t(g.window.pixels()) * 3);
+  for (std::size_t c = 0; c < 3; ++c) request.add(raw, c, loose.raw_light.data() + c, 3 * sizeof(float));
+  return add_planes(g, request, reading.roles.at("diffuse_light"));
+}
+
+void make_albedo(GBuffer& g, const Loose& loose) {
+  if (loose.raw_light.empty()) return;
+  for (int c = 0; c < 3; ++c) {
+    float* const albedo = g.planes.plane(g.roles.at("albedo").first + c);
+    for (std::size_t i = 0; i < std::size_t(g.window.pixels()); ++i) {
+      const float raw = loose.raw_light[3 * i + std::size_t(c)];
+      albedo[i] = raw > 0 ? std::clamp(albedo[i] / raw, 0.0f, 1.0f) : 0.0f;
+    }
+  }
+}
 
 Loose read_layers(const ExrFile& file, const Reading& reading, const std::vector<std::string>& roles, GBuffer& g) {
   Request request{{}, g.window.width()};
@@ -208,7 +230,7 @@ Loose read_layers(const ExrFile& file, const Reading& reading, const std::vector
   if (has(reading, "base_normal")) g.base_normal = add_planes(g, request, reading.roles.at("base_normal"));
   g.coverage = {g.planes.add(1), 1};
   for (const std::string& role : roles)
-    if (role != "ids" && !g.roles.contains(role)) g.roles[role] = add_planes(g, request, layer_of(file, reading, role));
+    if (role != "ids" && !g.roles.contains(role)) g.roles[role] = add_role(file, reading, role, request, g, loose);
   if (has(reading, "depth")) {
     loose.depth.resize(std::size_t(g.window.pixels()));
     request.add(reading.roles.at("depth"), 0, loose.depth.data(), sizeof(float));
@@ -219,6 +241,7 @@ Loose read_layers(const ExrFile& file, const Reading& reading, const std::vector
   }
   if (ids_needed(reading, roles)) add_ids(file, reading, request, loose, std::size_t(g.window.pixels()));
   request.read(file, g.window);
+  make_albedo(g, loose);
   if (is_made(reading, "normal")) make_normals(file, reading, g.window, {g.planes.plane(g.normal.first), g.planes.stride()});
   if (reading.position_premultiplied) {
     Edges edges = mend_edges(file, reading, g.window);
@@ -231,7 +254,7 @@ Loose read_layers(const ExrFile& file, const Reading& reading, const std::vector
 
 int planes_needed(const ExrFile& file, const Reading& reading, const std::vector<std::string>& roles) {
   int count = 3 + 3 + 3 + 1;
-  for (const std::string& role : roles) count += int(layer_of(file, reading, role).channels.size());
+  for (const std::string& role : roles) count += is_made(reading, role) ? 3 : int(layer_of(file, reading, role).channels.size());
   return count;
 }
 

@@ -108,6 +108,9 @@ void make_missing(const ExrFile& file, Reading& reading) {
   if (is_made(reading, "normal"))
     reading.made.push_back(std::string("normal from ") + (is_made(reading, "position") ? "the positions made" : reading.roles.at("position").layer) +
                            ": facets, without bump or smoothing (--map normal=LAYER names a layer)");
+  if (is_made(reading, "albedo"))
+    reading.made.push_back("albedo from " + reading.roles.at("diffuse_light").layer + " over " + reading.roles.at("diffuse_raw_light").layer +
+                           ", black where no light fell (--map albedo=LAYER names a layer)");
 }
 
 /// Output follows the part with the positions; pixels that some layer lacks are left out.
@@ -168,7 +171,11 @@ const Convention& convention_of(const ExrFile& file, const ReadingOptions& optio
   refuse(file, "no convention \"" + printable(options.convention) + "\" (there are: " + joined(names) + ")");
 }
 
-bool is_made(const Reading& reading, const std::string& role) { return (role == "position" || role == "normal") && !reading.roles.contains(role); }
+bool is_made(const Reading& reading, const std::string& role) {
+  if (reading.roles.contains(role)) return false;
+  if (role == "albedo") return reading.roles.contains("diffuse_light") && reading.roles.contains("diffuse_raw_light");
+  return role == "position" || role == "normal";
+}
 
 RoleLayer find_layer(const ExrFile& file, const Reading& reading, const std::string& name) {
   return found_layer(file, chosen_layers(layers_of(file), reading.view_layer, reading.view), name, "");

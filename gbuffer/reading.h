@@ -116,7 +116,8 @@ struct ReadingOptions {
 /// one)").
 Reading understand(const ExrFile& file, const ReadingOptions& options);
 
-/// Whether a role that the file lacks is made from others: "position" from depth and the camera, "normal" from positions.
+/// Whether a role that the file lacks is made from others: "position" from depth and the camera, "normal" from positions, "albedo" from
+/// light with and without it.
 bool is_made(const Reading& reading, const std::string& role);
 
 /// The layer that a person means by `name` (for --map and "layer:NAME"): exact, else without regard to case, spaces, '_' and '-', with or without the

@@ -33,12 +33,13 @@ bool add_all(RoleLayer& role, const Layer& layer, std::string_view letters) {
 }  // namespace
 
 RoleLayer as_role(const Layer& layer, const std::string& role) {
-  static const std::set<std::string> vectors{"position", "normal", "base_normal", "tangent", "albedo", "base_color", "glossy_albedo",
-                                             "f0",       "f90",    "kd",          "ks",      "eta",    "k"};
-  static const std::set<std::string> numbers{
-      "depth",    "ids",       "primitive_ids",    "roughness", "alpha",      "metallic",  "exponent",  "ior",
-      "sigma",    "sigma_r",   "specular_level",   "sheen",     "sheen_tint", "spec_tint", "clearcoat", "clearcoat_gloss",
-      "flatness", "nonlinear", "diffuse_roughness"};
+  static const std::set<std::string> vectors{
+      "position", "normal", "base_normal", "tangent", "albedo", "base_color", "glossy_albedo", "diffuse_light", "diffuse_raw_light",
+      "f0",       "f90",    "kd",          "ks",      "eta",    "k"};
+  static const std::set<std::string> numbers{"glossiness", "depth",           "ids",      "primitive_ids", "roughness",
+                                             "alpha",      "metallic",        "exponent", "ior",           "sigma",
+                                             "sigma_r",    "specular_level",  "sheen",    "sheen_tint",    "spec_tint",
+                                             "clearcoat",  "clearcoat_gloss", "flatness", "nonlinear",     "diffuse_roughness"};
   constexpr std::string_view any_number = "0itzxruyvgb";
   RoleLayer result{layer.part, display_name(layer, false), {}, {}};
   if (role == "coverage") {

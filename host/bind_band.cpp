@@ -44,7 +44,7 @@ class Constants {
 
 std::vector<double> constant_of(const FieldSource& source) {
   std::vector<double> values = source.constant;
-  for (double& value : values) value = transformed(source.transform, value);
+  for (double& value : values) value = source.converted(value);
   return values;
 }
 
@@ -71,12 +71,12 @@ class Reader {
       v = planes_.plane(range_.first + (range_.count == 1 ? 0 : c))[i];
     else
       v = source_.constant[source_.constant.size() == 1 ? 0 : std::size_t(c)];
-    return float(transformed(source_.transform, v));
+    return float(source_.converted(v));
   }
 
   /// The layer's own planes, if the field can read them as they are.
   std::optional<Field> in_place() const {
-    if (texture_ || source_.role.empty() || source_.transform != FieldSource::Transform::none) return {};
+    if (texture_ || source_.role.empty() || source_.convert) return {};
     const int stride = int(planes_.stride());
     return Field{stride * range_.first, 1, range_.count == 1 ? 0 : stride};
   }
@@ -165,11 +165,11 @@ void Binding::bind(GBuffer& gbuffer, const Camera& camera, Frame& frame) const {
   fill_program_plane(gbuffer, material, frame);
   solve_cycles_surfaces(gbuffer, camera);
   Constants constants(gbuffer.planes);
-  const std::map<int, FieldSource> solved{{FIELD_base_color, {{}, "solved:base_color", {}, {}, {}}},
-                                          {FIELD_metallic, {{}, "solved:metallic", {}, {}, {}}},
-                                          {FIELD_specular_level, {{}, "solved:specular_level", {}, {}, {}}}};
+  const std::map<int, FieldSource> solved{{FIELD_base_color, {{}, "solved:base_color", {}, {}}},
+                                          {FIELD_metallic, {{}, "solved:metallic", {}, {}}},
+                                          {FIELD_specular_level, {{}, "solved:specular_level", {}, {}}}};
   for (const Parameter& parameter : parameters()) {
-    const FieldSource fallback{{parameter.fallback}, {}, {}, {}, {}};
+    const FieldSource fallback{{parameter.fallback}, {}, {}, {}};
     std::vector<FieldSource> sources;
     for (const BoundMaterial& m : materials_) {
       const auto found = m.fields.find(parameter.field);
@@ -178,7 +178,7 @@ void Binding::bind(GBuffer& gbuffer, const Camera& camera, Frame& frame) const {
     }
     Field& field = frame.field[parameter.field];
     const auto same_constant = [&](const FieldSource& s) {
-      return s.is_constant() && s.constant == sources[0].constant && s.transform == sources[0].transform;
+      return s.is_constant() && s.constant == sources[0].constant && s.convert == sources[0].convert;
     };
     if (std::all_of(sources.begin(), sources.end(), same_constant)) {
       field = constants.place(constant_of(sources[0]));

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "gbuffer/error.h"
-#include "host/ior.h"
+#include "host/conversions.h"
 #include "host/lobes.h"
 #include "host/rough_transmittance.h"
 
@@ -36,18 +36,24 @@ class Binder {
 
  private:
   bool given(const std::string& parameter) const { return material_.parameters.contains(parameter); }
-  bool in_file(const std::string& role) const { return reading_.roles.contains(role); }
+  bool in_file(const std::string& role) const { return reading_.roles.contains(role) || is_made(reading_, role); }
   void note(const std::string& text) {
     if (std::find(notes_.begin(), notes_.end(), text) == notes_.end()) notes_.push_back(text);
   }
 
   void choose_lobes() {
     if (material_.diffuse.empty()) material_.diffuse = reading_.default_diffuse;
-    if (material_.specular.empty()) material_.specular = reading_.default_specular;
+    if (material_.specular.empty()) material_.specular = default_specular();
     diffuse_ = material_.diffuse == "none" ? nullptr : &lobe_named(true, material_.diffuse);
     specular_ = material_.specular == "none" ? nullptr : &lobe_named(false, material_.specular);
     bound_.choice.diffuse = diffuse_ ? diffuse_->number : int(DIFFUSE_none);
     bound_.choice.specular = specular_ ? specular_->number : int(SPECULAR_none);
+  }
+
+  /// The convention's; but who sets a highlight's width wants a highlight, also where the file tells of none.
+  std::string default_specular() const {
+    const bool wanted = given("roughness") || given("alpha") || given("f0");
+    return reading_.default_specular == "none" && wanted ? "ggx" : reading_.default_specular;
   }
 
   /// The term named, which must be one of the lobe's, else the lobe's first.
@@ -101,20 +107,32 @@ class Binder {
     return {};
   }
 
+  /// What the user gives comes first, in whatever words; then what the file has.
+  std::optional<FieldSource> found(const std::string& name) {
+    if (given(name)) return source_of(name);
+    for (const Conversion& c : conversions())
+      if (c.to == name && given(std::string(c.from))) return made(c);
+    if (in_file(name)) return source_of(name);
+    for (const Conversion& c : conversions())
+      if (c.to == name && in_file(std::string(c.from))) return made(c);
+    return {};
+  }
+
+  FieldSource made(const Conversion& c) {
+    FieldSource source = *source_of(std::string(c.from));
+    source.convert = c.convert;
+    const std::string what = std::string(c.to) + " from " + std::string(c.from) + " (" + std::string(c.formula) + ")";
+    const bool everyday = c.to == "alpha" && c.from == "roughness";
+    if (!everyday && std::find(reading_.made.begin(), reading_.made.end(), what) == reading_.made.end()) reading_.made.push_back(what);
+    return source;
+  }
+
   /// Finds where a kernel parameter's values come from.
   void place(const std::string& name) {
     const Parameter& parameter = parameter_named(name);
     if (parameter.from_host || bound_.fields.contains(parameter.field)) return;
-    std::optional<FieldSource> source;
-    if (name == "alpha" && !given("alpha") && !in_file("alpha")) {
-      if ((source = source_of("roughness"))) source->transform = FieldSource::Transform::square;
-    } else if (name == "base_color") {
-      source = given("albedo") ? source_of("albedo") : source_of("base_color");
-    } else {
-      source = source_of(name);
-    }
-    if (!source) source = FieldSource{{parameter.fallback}, {}, {}, {}, {}};
-    bound_.fields[parameter.field] = *source;
+    const std::optional<FieldSource> source = name == "base_color" ? (given("albedo") ? source_of("albedo") : source_of("base_color")) : found(name);
+    bound_.fields[parameter.field] = source.value_or(FieldSource{{parameter.fallback}, {}, {}, {}});
   }
 
   /// A parameter that was given but that no lobe of this material reads is worth a word: with "auto" lobes nobody could refuse it before.
@@ -155,12 +173,12 @@ class Binder {
     if (found == bound_.fields.end()) return parameter_named(name).fallback;
     if (!found->second.is_constant())
       throw Error(ErrorKind::input, std::string(lobe) + ": " + name + " must be a constant: a table is made for it (a layer or texture was given)");
-    return transformed(found->second.transform, found->second.constant.front());
+    return found->second.converted(found->second.constant.front());
   }
 
   void make_plastic() {
     const double ior = constant_of("plastic", "ior");
-    FieldSource table{{-1.0}, {}, {}, {}, {}}, fdr{{smooth_internal_fdr(ior)}, {}, {}, {}, {}};
+    FieldSource table{{-1.0}, {}, {}, {}}, fdr{{smooth_internal_fdr(ior)}, {}, {}, {}};
     if (given("alpha") || given("roughness")) {
       const std::string specular = specular_ ? std::string(specular_->name) : "";
       const bool beckmann = specular == "beckmann" || specular == "cook_torrance";
@@ -177,7 +195,7 @@ class Binder {
   void level_to_ior() {
     std::optional<FieldSource> level = source_of("specular_level");
     if (!level) return;
-    level->transform = FieldSource::Transform::ior_from_level;
+    level->convert = ior_from_specular_level;
     bound_.fields[FIELD_ior] = *level;
   }
 
@@ -193,18 +211,6 @@ class Binder {
 };
 
 }  // namespace
-
-double transformed(FieldSource::Transform transform, double value) {
-  switch (transform) {
-    case FieldSource::Transform::square:
-      return value * value;
-    case FieldSource::Transform::ior_from_level:
-      return ior_from_specular_level(value);
-    case FieldSource::Transform::none:
-      break;
-  }
-  return value;
-}
 
 BoundMaterial bind_material(const Material& material, const std::string& place, const LayerFinder& find, Reading& reading, std::vector<float>& tables,
                             std::vector<std::string>& notes) {

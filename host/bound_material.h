@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gbuffer/reading.h"
+#include "host/conversions.h"
 #include "host/frame.h"
 #include "host/materials.h"
 
@@ -21,14 +22,13 @@ struct FieldSource {
   std::vector<double> constant;  ///< 1 or 3 numbers, if it is one
   std::string role;              ///< else a role of the G-buffer
   std::optional<TextureValue> texture;
-  std::string uv_role;                                                                ///< of the texture's coordinates
-  enum class Transform { none, square, ior_from_level } transform = Transform::none;  ///< roughness for alpha; specular level for ior
+  std::string uv_role;        ///< of the texture's coordinates
+  Convert convert = nullptr;  ///< roughness for alpha; null: as it is
 
   bool is_constant() const { return role.empty() && !texture; }
+  /// A value as the field holds it.
+  double converted(double value) const { return convert ? convert(value) : value; }
 };
-
-/// A value as the field holds it.
-double transformed(FieldSource::Transform transform, double value);
 
 /// A material with every question answered: lobes by number, each field's source.
 struct BoundMaterial {

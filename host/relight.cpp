@@ -57,6 +57,7 @@ class Relight {
   void shade_and_write();
   void shade_band(GBuffer& gbuffer, Planes& out);
   void shade_lights(Band& band, Frame frame);
+  std::vector<std::pair<std::string, std::string>> metadata() const;
   void write_alpha(const GBuffer& gbuffer, Planes& out) const;
   Frame frame_of(const GBuffer& gbuffer, const Planes& out) const;
   glm::dvec3 mean_irradiance();
@@ -110,6 +111,7 @@ void Relight::understand_all() {
   summary_.convention = reading_.convention;
   summary_.lights = int(lights_.records.size());
   summary_.programs = binding_->descriptions();
+  for (const std::string& what : reading_.made) note("made: " + what);
   for (const std::vector<std::string>* notes : {&std::as_const(rig_.notes), &std::as_const(reading_.notes), &binding_->notes()})
     summary_.notes.insert(summary_.notes.end(), notes->begin(), notes->end());
   window_ = reading_.data_window;
@@ -267,12 +269,20 @@ void Relight::keep_for_png(const Planes& out, const Window& band, Picture& pictu
     for (int c = 0; c < 4; ++c) picture.values[std::size_t(4 * (begin + i) + c)] = out.plane(c)[i];
 }
 
+std::vector<std::pair<std::string, std::string>> Relight::metadata() const {
+  std::vector<std::pair<std::string, std::string>> texts{
+      {"relume:gbuffer", job_.gbuffer.filename().string()}, {"relume:device", summary_.device}, {"relume:version", RELUME_VERSION}};
+  std::string made;
+  for (const std::string& what : reading_.made) made += (made.empty() ? "" : "; ") + what;
+  if (!made.empty()) texts.emplace_back("relume:made", made);
+  return texts;
+}
+
 void Relight::shade_and_write() {
   ambient_ = lights_.ambient;
   if (lights_.ambient_fraction != 0) ambient_ += lights_.ambient_fraction / std::numbers::pi * mean_irradiance();
   const Part& part = file_.parts()[std::size_t(reading_.part)];
-  ExrWriter writer(job_.output, job_.format, part.header, window_, reading_.display_window, layout_.channels,
-                   {{"relume:gbuffer", job_.gbuffer.filename().string()}, {"relume:device", summary_.device}, {"relume:version", RELUME_VERSION}});
+  ExrWriter writer(job_.output, job_.format, part.header, window_, reading_.display_window, layout_.channels, metadata());
   Picture picture;
   if (job_.png) picture = {window_.width(), window_.height(), 4, std::vector<float>(std::size_t(window_.pixels()) * 4)};
   const int rows = band_rows(window_);

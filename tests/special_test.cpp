@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "host/ggx_albedo.h"
-#include "host/ior.h"
+#include "host/conversions.h"
 #include "host/rough_transmittance.h"
 #include "tests/reflectance.h"
 #include "tests/rendered_rows.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "host/ggx_albedo.h"
-#include "host/ior.h"
+#include "host/conversions.h"
 #include "host/rough_transmittance.h"
 #include "host/visible_normals.h"
 #include "kernels/cycles_tables.h"
