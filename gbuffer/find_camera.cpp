@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "gbuffer/camera_header.h"
+#include "gbuffer/layer_frame.h"
 #include "gbuffer/sample_rows.h"
 
 namespace relume {
@@ -31,6 +32,7 @@ Evidence evidence_of(const ExrFile& file, const Reading& reading) {
   Evidence evidence;
   const auto bands = sample_rows(file, reading, {"position", "normal", "depth", "coverage"});
   evidence.sightings = clear_sightings(bands, reading, evidence.normals);
+  for (Sighting& s : evidence.sightings) s.position = reading.position_scale * in_axes(reading.position_axes, s.position);
   return evidence;
 }
 

@@ -1,0 +1,142 @@
+// One scene, stored in many ways: camera space, 0..1 normals, flipped components, left-handed, z up, other units. Without a flag, one picture.
+#include <ImfMatrixAttribute.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "tests/channels.h"
+#include "tests/make_gbuffer.h"
+#include "tests/run_program.h"
+
+namespace relume {
+namespace {
+
+using glm::dmat3;
+using glm::dvec3;
+
+dmat3 turned(double x, double y) {
+  const dmat3 about_x(1, 0, 0, 0, std::cos(x), std::sin(x), 0, -std::sin(x), std::cos(x));
+  const dmat3 about_y(std::cos(y), 0, -std::sin(y), 0, 1, 0, std::sin(y), 0, std::cos(y));
+  return about_y * about_x;
+}
+
+/// How one file tells of the scene (tests/make_gbuffer.h, seen along -z from (0, 0, 5)).
+struct Variation {
+  const char* name;
+  dmat3 world_from_scene = turned(0.4, 0.7);  ///< a rotation that no two axes share, perhaps mirrored
+  dvec3 origin{3, -1, 2};
+  bool camera_in_header = true, half = false, positions_in_camera = false, normals_in_camera = false;
+  std::function<dvec3(const dvec3&)> normal_stored = [](const dvec3& n) { return n; };
+  double stored_units = 1;  ///< of positions, for one of the header's camera
+  double wanted = 60;       ///< dB against the plain file
+};
+
+const dvec3 scene_eye{0, 0, scene_eye_z};
+
+Imf::M44fAttribute world_to_camera(const Variation& v) {
+  dmat3 axes = v.world_from_scene;
+  axes[2] *= -1.0;  // the attribute's camera looks along +z
+  const dmat3 camera_from_world = glm::transpose(axes);
+  const dvec3 t = -(camera_from_world * (v.world_from_scene * scene_eye + v.origin));
+  Imath::M44f m;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) m[i][j] = float(camera_from_world[i][j]);  // row vectors
+  for (int j = 0; j < 3; ++j) m[3][j] = float(t[j]);
+  return Imf::M44fAttribute(m);
+}
+
+nlohmann::json numbers(const dvec3& v) { return {v.x, v.y, v.z}; }
+
+void write_rig(const std::filesystem::path& file, const Variation& v) {
+  const nlohmann::json rig{{"relume", 1},
+                           {"lights",
+                            {{{"type", "point"}, {"position", numbers(v.world_from_scene * dvec3(2, 2, 3) + v.origin)}, {"intensity", {30, 25, 20}}},
+                             {{"type", "directional"}, {"direction", numbers(v.world_from_scene * dvec3(1, -1, -0.5))}, {"intensity", {1, 2, 3}}}}}};
+  std::ofstream(file) << rig;
+}
+
+void write_variation(const std::filesystem::path& file, const Variation& v) {
+  MadeUpGBuffer made = MadeUpGBuffer::of_size(160, 120);
+  made.with({"albedo.R", "albedo.G", "albedo.B", "roughness", "metallic"});
+  made.half = v.half;
+  made.camera_in_header = false;
+  made.pixel = [&](int, int, ScenePixel& pixel) {
+    if (pixel.id == 0) return;
+    pixel.position = v.stored_units * (v.positions_in_camera ? pixel.position - scene_eye : v.world_from_scene * pixel.position + v.origin);
+    pixel.normal = v.normal_stored(v.normals_in_camera ? pixel.normal : v.world_from_scene * pixel.normal);
+  };
+  if (v.camera_in_header) made.header = [&](Imf::Header& header) { header.insert("worldToCamera", world_to_camera(v)); };
+  write_gbuffer(file, made);
+}
+
+Channels relit(const Variation& v) {
+  const TemporaryFolder folder;
+  write_variation(folder / "in.exr", v);
+  write_rig(folder / "rig.json", v);
+  const ProgramRun run = run_program({"shade", (folder / "in.exr").string(), "-l", (folder / "rig.json").string(), "-o",
+                                      (folder / "out.exr").string(), "--device", "twin", "--quiet"});
+  EXPECT_EQ(run.code, 0) << v.name << ": " << run.err;
+  return run.code == 0 ? read_channels(folder / "out.exr") : Channels{};
+}
+
+double psnr(const Channels& image, const Channels& reference) {
+  double squares = 0, peak = 0;
+  std::size_t count = 0;
+  for (const char* channel : {"R", "G", "B"})
+    for (std::size_t i = 0; i < reference.at(channel).size(); ++i, ++count) {
+      squares += std::pow(double(image.at(channel)[i]) - reference.at(channel)[i], 2);
+      peak = std::max(peak, double(reference.at(channel)[i]));
+    }
+  return 10 * std::log10(peak * peak * double(count) / std::max(squares, 1e-30));
+}
+
+dvec3 encoded(const dvec3& n) { return 0.5 * n + 0.5; }
+dvec3 in_bytes(const dvec3& n) { return glm::round(encoded(n) * 255.0) / 255.0; }
+
+std::vector<Variation> variations() {
+  const dmat3 z_up(1, 0, 0, 0, 0, 1, 0, -1, 0), mirrored(1, 0, 0, 0, 1, 0, 0, 0, -1), turn = turned(0.4, 0.7);
+  return {
+      {.name = "no camera in the header", .camera_in_header = false},
+      {.name = "positions and normals in camera space", .positions_in_camera = true, .normals_in_camera = true},
+      {.name = "normals alone in camera space", .normals_in_camera = true},
+      {.name = "normals alone in camera space, z into the scene",
+       .normals_in_camera = true,
+       .normal_stored = [](const dvec3& n) { return n * dvec3(1, 1, -1); }},
+      {.name = "normals 0..1", .normal_stored = encoded},
+      {.name = "normals in camera space, 0..1", .normals_in_camera = true, .normal_stored = encoded},
+      {.name = "flipped green", .normal_stored = [](const dvec3& n) { return n * dvec3(1, -1, 1); }},
+      {.name = "flipped green, 0..1", .normal_stored = [](const dvec3& n) { return encoded(n * dvec3(1, -1, 1)); }},
+      {.name = "normals z up, positions y up", .normal_stored = [](const dvec3& n) { return dvec3(n.x, -n.z, n.y); }},
+      {.name = "left-handed", .world_from_scene = mirrored * turn},
+      {.name = "left-handed, no camera", .world_from_scene = mirrored * turn, .camera_in_header = false},
+      {.name = "z up", .world_from_scene = z_up * turn},
+      {.name = "positions in centimetres, the camera in metres", .stored_units = 100},
+      {.name = "half", .half = true, .wanted = 40},
+      {.name = "half, camera space", .half = true, .positions_in_camera = true, .normals_in_camera = true, .wanted = 40},
+      {.name = "half, 0..1", .half = true, .normal_stored = encoded, .wanted = 40},
+      {.name = "normals in bytes", .normal_stored = in_bytes, .wanted = 40},
+      {.name = "normals in bytes, flipped green", .normal_stored = [](const dvec3& n) { return in_bytes(n * dvec3(1, -1, 1)); }, .wanted = 40},
+  };
+}
+
+TEST(Variations, OnePicture) {
+  const Channels plain = relit({.name = "plain"});
+  ASSERT_FALSE(plain.empty());
+  for (const Variation& v : variations()) {
+    const Channels image = relit(v);
+    if (image.empty()) continue;
+    const double db = psnr(image, plain);
+    std::printf("%-50s %6.1f dB, wanted %.0f\n", v.name, db, v.wanted);
+    EXPECT_GE(db, v.wanted) << v.name;
+  }
+}
+
+}  // namespace
+}  // namespace relume
