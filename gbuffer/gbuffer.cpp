@@ -121,9 +121,9 @@ class Finisher {
     constexpr double no_direction = 1e-6;  // less than the smallest half float is rounding, or a filter's tail
     const double length = glm::length(decoded);
     if (!(length > no_direction)) return dvec3(0);
-    return unit(frame_.direction_in_world(decoded / length, position));
+    const dvec3 n = frame_.direction_in_world(decoded / length, position);
+    return glm::length(n) > no_direction ? n / glm::length(n) : dvec3(0);  // V-Ray's frame has none straight up
   }
-  static dvec3 unit(const dvec3& n) { return n / glm::length(n); }
 
   /// World; infinite where a depth says that nothing is there.
   dvec3 position_at(std::size_t i, double coverage) const {
