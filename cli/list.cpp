@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "gbuffer/convention.h"
 #include "gbuffer/error.h"
-#include "gbuffer/reading.h"
 #include "host/lobes.h"
 
 namespace relume {
@@ -80,9 +80,14 @@ Json lights_json() {
   return all;
 }
 
+std::string known_by(const Convention& convention) {
+  const std::string marks = marks_in_words(convention), shape = convention.recognised_by;
+  return marks + (marks.empty() || shape.empty() ? "" : "; ") + shape;
+}
+
 Json conventions_json() {
   Json all = Json::array();
-  for (const Convention& c : conventions()) all.push_back({{"name", c.name}, {"title", c.title}, {"source", c.source}});
+  for (const Convention& c : conventions()) all.push_back({{"name", c.name}, {"title", c.title}, {"marks", known_by(c)}, {"source", c.source}});
   return all;
 }
 
@@ -96,6 +101,9 @@ int list(const std::string& what, bool as_json) {
     for (const auto& entry : lists) {
       std::printf("%-12s %s\n", entry["name"].get<std::string>().c_str(), entry.value("title", entry["source"].get<std::string>()).c_str());
       if (entry.contains("keys")) std::printf("%-12s keys: %s\n", "", joined(entry["keys"]).c_str());
+      if (entry.contains("marks"))
+        std::printf("%-12s known by: %s\n%-12s source: %s\n", "", entry["marks"].get<std::string>().c_str(), "",
+                    entry["source"].get<std::string>().c_str());
     }
   return 0;
 }

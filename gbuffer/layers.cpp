@@ -11,12 +11,13 @@
 #include <tuple>
 
 namespace relume {
-namespace {
 
 std::string lower(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
   return text;
 }
+
+namespace {
 
 /// The short letter of a component, long names and either case alike; empty if the word is none.
 std::optional<char> letter_of(const std::string& word) {
@@ -89,13 +90,27 @@ bool beauty_name(const std::string& part) {
 
 bool root_letter(char letter) { return letter == 'r' || letter == 'g' || letter == 'b' || letter == 'a'; }
 
+/// A bare channel that is one of three, "Nsx" beside "Nsy" and "Nsz" (old pbrt), "NX" (3ds Max), "normal_r"; or one of "u" and "v".
+std::optional<Split> one_of_several(const Part& part, const std::string& channel) {
+  if ((channel == "u" && part.has_channel("v")) || (channel == "v" && part.has_channel("u"))) return Split{"uv", channel[0]};
+  std::string stem = channel.substr(0, channel.size() - 1);
+  for (const std::string_view letters : {"xyz", "XYZ", "rgb", "RGB"}) {
+    if (stem.empty() || letters.find(channel.back()) == std::string_view::npos) continue;
+    if (!std::all_of(letters.begin(), letters.end(), [&](char letter) { return part.has_channel(stem + letter); })) continue;
+    while (!stem.empty() && (stem.back() == '_' || stem.back() == ' ' || stem.back() == '-')) stem.pop_back();
+    return Split{stem, char(std::tolower(channel.back()))};
+  }
+  return {};
+}
+
 /// A channel without a dot. In a named part of a multi-part file the part is the layer (Arnold); else R G B A are the root layer, and X Y Z
-/// if all three are there; any other name is a layer of its own ("Z", "dzdx").
+/// if all three are there; any other name is a layer of its own ("Z", "dzdx"), unless it is one of several.
 Split bare(const Part& part, const std::string& channel, const Names& names) {
   const auto letter = letter_of(channel);
   const bool part_is_layer = names.many_parts && !part.name.empty() && (part.index > 0 || !beauty_name(part.name));
   if (part_is_layer && letter) return {part.name, normalised(part.name) == normalised(channel) ? char(0) : *letter};
   if (part_is_layer && normalised(part.name) == normalised(channel)) return {part.name, 0};
+  if (const auto several = one_of_several(part, channel)) return *several;
   if (letter && (root_letter(*letter) || (names.root_vector && *letter >= 'x' && *letter <= 'z'))) return {"", *letter};
   return {channel, 0};
 }
@@ -130,7 +145,7 @@ const Component* Layer::component(char letter) const {
 }
 
 std::vector<std::string> Layer::triple() const {
-  for (const char* letters : {"xyz", "rgb"}) {
+  for (const char* letters : {"xyz", "rgb", "uvw"}) {
     const Component *const a = component(letters[0]), *const b = component(letters[1]), *const c = component(letters[2]);
     if (a && b && c) return {a->channel, b->channel, c->channel};
   }

@@ -22,7 +22,7 @@ struct Layer {
   std::vector<Component> components;
 
   const Component* component(char letter) const;
-  /// The channels of a direction or a colour, in order: x y z or r g b (red, green, blue too); empty if there are not three.
+  /// The channels of a direction or a colour, in order: x y z, r g b (red, green, blue too) or u v w (MoonRay); empty if there are not three.
   std::vector<std::string> triple() const;
 };
 
@@ -31,6 +31,8 @@ std::vector<Layer> layers_of(const ExrFile& file);
 
 /// What shows that Blender wrote the file, or empty: only then does a channel's name begin with a view layer.
 std::string blender_marks(const ExrFile& file);
+
+std::string lower(std::string text);
 
 /// Lower case, without spaces, '_' and '-': what aliases are compared by.
 std::string normalised(const std::string& layer_name);

@@ -5,7 +5,7 @@
 #include <functional>
 #include <set>
 
-#include "gbuffer/conventions/list.h"
+#include "gbuffer/convention.h"
 #include "gbuffer/error.h"
 #include "gbuffer/find_camera.h"
 #include "gbuffer/printable.h"
@@ -13,15 +13,6 @@
 #include "gbuffer/solver/solve.h"
 
 namespace relume {
-
-#define RELUME_DECLARE(name) extern const Convention convention_##name;
-RELUME_CONVENTIONS(RELUME_DECLARE)
-
-const std::vector<Convention>& conventions() {
-#define RELUME_ENTRY(name) convention_##name,
-  static const std::vector<Convention> list{RELUME_CONVENTIONS(RELUME_ENTRY)};
-  return list;
-}
 
 namespace {
 
@@ -162,10 +153,15 @@ void apply_map(const ExrFile& file, const ReadingOptions& options, Reading& read
 }  // namespace
 
 const Convention& convention_of(const ExrFile& file, const ReadingOptions& options) {
-  std::vector<std::string> names;
+  const auto& all = conventions();
   const auto layers = layers_of(file);
-  for (const Convention& convention : conventions()) {
-    if (options.convention.empty() ? !convention.recognise(file, layers).empty() : convention.name == options.convention) return convention;
+  if (options.convention.empty()) {
+    const auto weight = [&](const Convention& convention) { return evidence_for(convention, file, layers).weight; };
+    return *std::max_element(all.begin(), all.end(), [&](const Convention& a, const Convention& b) { return weight(a) < weight(b); });
+  }
+  std::vector<std::string> names;
+  for (const Convention& convention : all) {
+    if (convention.name == options.convention) return convention;
     names.push_back(convention.name);
   }
   refuse(file, "no convention \"" + printable(options.convention) + "\" (there are: " + joined(names) + ")");
@@ -189,11 +185,11 @@ Reading understand(const ExrFile& file, const ReadingOptions& options) {
   if (options.part) std::erase_if(layers, [&](const Layer& layer) { return layer.part != *options.part; });
   Reading reading;
   reading.convention = convention.name;
-  reading.evidence = options.convention.empty() ? convention.recognise(file, layers_of(file)) : "asked for";
+  reading.evidence = options.convention.empty() ? evidence_for(convention, file, layers_of(file)).words : "asked for";
   reading.view_layer = choose_view_layer(file, layers, options, reading);
   reading.view = choose_view(file, layers, options, reading);
   const auto chosen = chosen_layers(layers, reading.view_layer, reading.view);
-  convention.assign(file, chosen, reading);
+  assign_roles(convention, file, chosen, reading);
   apply_map(file, options, reading, chosen);
   apply_options(options, reading);
   require_roles(file, options, reading);

@@ -124,24 +124,7 @@ bool is_made(const Reading& reading, const std::string& role);
 /// view layer; among those of the chosen view layer and view. Throws Error{input} that lists the layers there are.
 RoleLayer find_layer(const ExrFile& file, const Reading& reading, const std::string& name);
 
-/// The convention that options name, or else the first that recognises the file.
+/// The convention that options name, or else the one that most speaks for.
 const Convention& convention_of(const ExrFile& file, const ReadingOptions& options);
-
-/// One renderer's way of writing: a file in gbuffer/conventions/ and a line in its list.
-struct Convention {
-  const char* name;    ///< "mitsuba"
-  const char* title;   ///< "Mitsuba 3, aov integrator"
-  const char* source;  ///< where its facts come from
-  /// The evidence that this convention wrote the file, or empty.
-  std::string (*recognise)(const ExrFile& file, const std::vector<Layer>& layers);
-  /// Fills roles, spaces and defaults from names and header alone. `layers` are those of the chosen part, view layer and view.
-  void (*assign)(const ExrFile& file, const std::vector<Layer>& layers, Reading& reading);
-  /// Settles from the data, before a camera is sought, what the names do not say of the spaces (pbrt's planes); may be null. After --map and options.
-  void (*settle_space)(const ExrFile& file, const ReadingOptions& options, Reading& reading);
-  /// Settles the rest, with the camera known if there is one (Mitsuba's bump frame); may be null.
-  void (*settle)(const ExrFile& file, const ReadingOptions& options, Reading& reading);
-};
-
-const std::vector<Convention>& conventions();
 
 }  // namespace relume

@@ -33,38 +33,60 @@ bool add_all(RoleLayer& role, const Layer& layer, std::string_view letters) {
 }  // namespace
 
 RoleLayer as_role(const Layer& layer, const std::string& role) {
-  static const std::set<std::string> vectors{
-      "position", "normal", "base_normal", "tangent", "albedo", "base_color", "glossy_albedo", "diffuse_light", "diffuse_raw_light",
-      "f0",       "f90",    "kd",          "ks",      "eta",    "k"};
+  static const std::set<std::string> vectors{"position", "normal", "base_normal", "tangent", "albedo", "base_color",    "glossy_albedo",    "f0",
+                                             "f90",      "kd",     "ks",          "eta",     "k",      "diffuse_light", "diffuse_raw_light"};
   static const std::set<std::string> numbers{"glossiness", "depth",           "ids",      "primitive_ids", "roughness",
                                              "alpha",      "metallic",        "exponent", "ior",           "sigma",
                                              "sigma_r",    "specular_level",  "sheen",    "sheen_tint",    "spec_tint",
                                              "clearcoat",  "clearcoat_gloss", "flatness", "nonlinear",     "diffuse_roughness"};
   constexpr std::string_view any_number = "0itzxruyvgb";
   RoleLayer result{layer.part, display_name(layer, false), {}, {}};
-  if (role == "coverage") {
-    add_first(result, layer, "a0xriz");
+  if (role == "coverage") {  // an alpha, or all that a layer of that name has; never the red of a picture
+    add_first(result, layer, layer.components.size() == 1 ? "a0xriz" : "a");
   } else if (role == "uv") {
     add_all(result, layer, "uv") || add_all(result, layer, "xy") || add_all(result, layer, "rg");
   } else if (numbers.contains(role)) {
     add_first(result, layer, any_number);
-  } else if (!add_all(result, layer, "xyz") && !add_all(result, layer, "rgb") && !vectors.contains(role)) {
+  } else if (!add_all(result, layer, "xyz") && !add_all(result, layer, "rgb") && !add_all(result, layer, "uvw") && !vectors.contains(role)) {
     add_all(result, layer, "uv") || add_first(result, layer, any_number);
   }
   return result;
 }
 
-void assign(Reading& reading, const std::vector<Layer>& layers, const std::string& role, std::initializer_list<const char*> names) {
-  std::string& tried = reading.looked_for[role];
-  for (const char* name : names) tried += (tried.empty() ? "" : ", ") + std::string(name);
-  for (const char* name : names) {
-    for (const Layer& layer : layers) {
-      if (reading.roles.contains(role)) return;
-      if (normalised(layer.name) != normalised(name)) continue;
-      RoleLayer candidate = as_role(layer, role);
-      if (!candidate.channels.empty()) reading.roles[role] = std::move(candidate);
+std::vector<NamedLayer> named_layers(const std::vector<Layer>& layers, const std::function<std::string(const Layer&)>& name) {
+  std::vector<NamedLayer> named;
+  for (const Layer& layer : layers) named.push_back({&layer, name(layer)});
+  return named;
+}
+
+void assign(Reading& reading, const std::vector<NamedLayer>& layers, const Alias& alias) {
+  std::string& tried = reading.looked_for[alias.role];
+  for (const char* name : alias.names) tried += (tried.empty() ? "" : ", ") + std::string(name);
+  for (const bool whole : {true, false}) {
+    for (const char* name : alias.names) {
+      for (const NamedLayer& layer : layers) {
+        if (reading.roles.contains(alias.role)) return;
+        const std::string compared = whole ? layer.name : layer.name.substr(layer.name.rfind('.') + 1);
+        if (normalised(compared) != normalised(name)) continue;
+        RoleLayer candidate = as_role(*layer.layer, alias.role);
+        if (candidate.channels.empty()) continue;
+        reading.roles[alias.role] = std::move(candidate);
+        apply(alias.says, alias.role, reading);
+      }
     }
   }
+}
+
+void apply(Says says, const std::string& role, Reading& reading) {
+  if (says == Says::distance) reading.depth_kind = DepthKind::distance;
+  if (role != "normal" && role != "position") return;
+  const bool seen = says == Says::camera || says == Says::camera_forward;
+  Space& space = role == "normal" ? reading.normal_space : reading.position_space;
+  Axes& axes = role == "normal" ? reading.normal_axes : reading.position_axes;
+  if (says == Says::world) space = Space::world;
+  if (says == Says::view_ray) space = Space::view_ray;
+  if (seen) space = Space::camera;
+  if (says == Says::camera_forward) axes.sign[2] = -1;
 }
 
 std::vector<Layer> chosen_layers(const std::vector<Layer>& layers, const std::string& view_layer, const std::string& view) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "gbuffer/convention.h"
 #include "gbuffer/error.h"
 #include "gbuffer/gbuffer.h"
 #include "gbuffer/picture.h"

@@ -89,6 +89,22 @@ TEST(Layers, BareAndOddComponents) {
   EXPECT_TRUE(find(layers, "", "dd.y")->component('t'));
 }
 
+TEST(Layers, BareVectorsAreOneLayer) {
+  const auto layers =
+      layers_in({{"", "", {"Nsx", "Nsy", "Nsz", "NX", "NY", "NZ", "normal_r", "normal_g", "normal_b", "u", "v", "dzdx", "dzdy", "Z"}}});
+  const auto triple = [&](const char* name) {
+    const Layer* const layer = find(layers, "", name);
+    return layer ? layer->triple() : std::vector<std::string>{};
+  };
+  EXPECT_EQ(triple("Ns"), (std::vector<std::string>{"Nsx", "Nsy", "Nsz"}));
+  EXPECT_EQ(triple("N"), (std::vector<std::string>{"NX", "NY", "NZ"}));
+  EXPECT_EQ(triple("normal"), (std::vector<std::string>{"normal_r", "normal_g", "normal_b"}));
+  ASSERT_TRUE(find(layers, "", "uv"));
+  EXPECT_TRUE(find(layers, "", "uv")->component('v'));
+  EXPECT_TRUE(find(layers, "", "dzdx")->component('\0'));
+  EXPECT_EQ(layers.size(), 7u);
+}
+
 TEST(Layers, DotsOfOthersAreNoViewLayers) {
   const auto layers = layers_in({{"", "", {"N.world.X", "N.world.Y", "N.world.Z"}}});
   ASSERT_EQ(layers.size(), 1u);

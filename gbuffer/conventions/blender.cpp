@@ -10,10 +10,27 @@
 namespace relume {
 namespace {
 
+/// Passes have fixed names; shader AOVs (from roughness on) have those that artists give them.
+const std::vector<Alias> aliases{{"position", {"Position"}, Says::world},
+                                 {"normal", {"Normal"}, Says::world},
+                                 {"normal", {"Denoising Normal"}, Says::camera},
+                                 {"depth", {"Depth", "Z"}},
+                                 {"albedo", {"DiffCol", "Diffuse Color"}},
+                                 {"glossy_albedo", {"GlossCol", "Glossy Color"}},
+                                 {"coverage", {"Combined"}},
+                                 {"ids", {"IndexOB", "Object Index"}},
+                                 {"uv", {"UV"}},
+                                 {"roughness", {"Roughness", "rough", "specular roughness"}},
+                                 {"metallic", {"Metallic", "metalness", "metal"}},
+                                 {"base_color", {"Base Color", "base colour"}},
+                                 {"specular_level", {"Specular", "specular level", "specular ior level"}},
+                                 {"diffuse_roughness", {"Diffuse Roughness"}},
+                                 {"ior", {"IOR"}}};
+
 std::string recognise(const ExrFile& file, const std::vector<Layer>&) { return blender_marks(file); }
 
 /// DWA takes a channel named Y for luminance and quantises it by what an eye would miss: X and Z of a position stay exact, Y does not.
-void note_lossy_position(const ExrFile& file, Reading& reading) {
+void note_lossy_position(const ExrFile& file, const std::vector<Layer>&, Reading& reading) {
   const auto position = reading.roles.find("position");
   if (position == reading.roles.end()) return;
   const Imf::Compression codec = file.parts()[std::size_t(position->second.part)].header.compression();
@@ -30,32 +47,11 @@ void choose_lobes(Reading& reading) {
     return;
   }
   const bool rough = reading.roles.contains("roughness");
-  reading.default_diffuse = rough ? "lambert" : "cycles";
+  reading.default_diffuse = rough ? "gltf" : "cycles";
   reading.default_specular = rough ? "ggx" : "none";
   reading.notes.push_back(std::string("no GlossCol and no base colour: Cycles' highlights cannot be told; ") +
-                          (rough ? "Lambert and GGX with the roughness layer are taken" : "only diffuse light is shaded") +
+                          (rough ? "glTF's surface with the roughness layer is taken" : "only diffuse light is shaded") +
                           " (--specular NAME and --set say otherwise)");
-}
-
-void assign_roles(const ExrFile& file, const std::vector<Layer>& layers, Reading& reading) {
-  assign(reading, layers, "position", {"Position"});
-  assign(reading, layers, "normal", {"Normal"});
-  assign(reading, layers, "depth", {"Depth", "Z"});
-  assign(reading, layers, "albedo", {"DiffCol", "Diffuse Color"});
-  assign(reading, layers, "glossy_albedo", {"GlossCol", "Glossy Color"});
-  assign(reading, layers, "coverage", {"Combined"});
-  assign(reading, layers, "ids", {"IndexOB", "Object Index"});
-  assign(reading, layers, "uv", {"UV"});
-  assign(reading, layers, "roughness", {"Roughness", "rough", "specular roughness"});
-  assign(reading, layers, "metallic", {"Metallic", "metalness", "metal"});
-  assign(reading, layers, "base_color", {"Base Color", "base colour"});
-  assign(reading, layers, "specular_level", {"Specular", "specular level", "specular ior level"});
-  assign(reading, layers, "diffuse_roughness", {"Diffuse Roughness"});
-  assign(reading, layers, "ior", {"IOR"});
-  reading.facing = Facing::as_stored;
-  reading.colour_premultiplied = true;
-  choose_lobes(reading);
-  note_lossy_position(file, reading);
 }
 
 /// A view layer that shows a bare floor determines no camera, but all view layers were seen by the same one.
@@ -68,9 +64,10 @@ void settle_camera(const ExrFile& file, const ReadingOptions& options, Reading& 
     Reading other = reading;
     for (const char* role : {"position", "normal", "depth"}) other.roles.erase(role);
     const auto chosen = chosen_layers(layers, layer.view_layer, reading.view);
-    assign(other, chosen, "position", {"Position"});
-    assign(other, chosen, "normal", {"Normal"});
-    assign(other, chosen, "depth", {"Depth"});
+    const auto named = named_layers(chosen, [](const Layer& l) { return l.name; });
+    for (const char* role : {"position", "normal", "depth"})
+      for (const Alias& alias : aliases)
+        if (alias.role == std::string(role)) assign(other, named, alias);
     if (!other.roles.contains("position") || !other.roles.contains("normal")) continue;
     if (file.parts()[std::size_t(other.roles.at("position").part)].data_window != reading.data_window) continue;
     find_camera(file, options, other);
@@ -85,12 +82,18 @@ void settle_camera(const ExrFile& file, const ReadingOptions& options, Reading& 
 }  // namespace
 
 extern const Convention convention_blender;
-const Convention convention_blender{"blender",
-                                    "Blender, multilayer EXR of Cycles or EEVEE",
-                                    "Blender 4.5.15 and 5.0.1, measured; blender/blender source, render passes",
-                                    recognise,
-                                    assign_roles,
-                                    nullptr,
-                                    settle_camera};
+const Convention convention_blender{
+    .name = "blender",
+    .title = "Blender 2.7 to 5, multilayer EXR of Cycles or EEVEE",
+    .source = "Blender 4.5.15 and 5.0.1, measured; blender/blender source, render passes",
+    .marks = {{.attribute = "BlenderMultiChannel"}, {.attribute = "Software", .text = "blender"}},
+    .aliases = aliases,
+    .colour_premultiplied = true,
+    .recognise = recognise,
+    .recognised_by = "a layer Combined, DiffCol, GlossCol, Diffuse Color or Glossy Color of some view layer",
+    .assign = note_lossy_position,
+    .choose_lobes = choose_lobes,
+    .settle = settle_camera,
+};
 
 }  // namespace relume

@@ -1,4 +1,4 @@
-// Every convention, in the order in which they are asked whether a file is theirs: a renderer is one file in this folder and one line here.
+// Every convention; of those for which a file speaks equally the first is taken. A renderer is one file in this folder and one line here.
 // CONVENTION(name): the file defines `const Convention convention_<name>`.
 #pragma once
 
@@ -6,4 +6,22 @@
   CONVENTION(blender)                  \
   CONVENTION(pbrt)                     \
   CONVENTION(mitsuba)                  \
-  CONVENTION(generic)  // plain names; takes every file, so it stays last
+  CONVENTION(arnold)                   \
+  CONVENTION(vray)                     \
+  CONVENTION(karma)                    \
+  CONVENTION(redshift)                 \
+  CONVENTION(unreal)                   \
+  CONVENTION(delight)                  \
+  CONVENTION(corona)                   \
+  CONVENTION(luxcore)                  \
+  CONVENTION(octane)                   \
+  CONVENTION(renderman)                \
+  CONVENTION(mantra)                   \
+  CONVENTION(moonray)                  \
+  CONVENTION(iray)                     \
+  CONVENTION(cinema4d)                 \
+  CONVENTION(gaffer)                   \
+  CONVENTION(scanline)                 \
+  CONVENTION(nuke)                     \
+  CONVENTION(oiio)                     \
+  CONVENTION(generic)  // common names; takes every file, so it stays last

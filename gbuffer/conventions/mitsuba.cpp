@@ -14,7 +14,6 @@ namespace {
 
 std::string recognise(const ExrFile& file, const std::vector<Layer>& layers) {
   const Imf::Header& header = file.parts().front().header;
-  if (const auto by = text_attribute(header, "generatedBy"); by && by->starts_with("Mitsuba")) return "header attribute generatedBy = \"" + *by + '"';
   if (matrix_attribute(header, "worldToCamera")) return {};
   const auto depth = std::find_if(layers.begin(), layers.end(), [](const Layer& l) { return l.component('t') && l.components.size() == 1; });
   const bool vectors =
@@ -37,11 +36,9 @@ void assign_like(const std::vector<Layer>& layers, Reading& reading, const std::
   }
 }
 
-void assign_roles(const ExrFile&, const std::vector<Layer>& layers, Reading& reading) {
+void assign_typed(const ExrFile&, const std::vector<Layer>& layers, Reading& reading) {
   const auto geometric = [](const std::string& n) { return holds(n, "geo") || n == "ng" || n == "gn"; };
-  assign(reading, layers, "position", {"position", "pos", "P"});
   assign_like(layers, reading, "position", "xyz", [](const std::string& n) { return holds(n, "pos"); });
-  assign(reading, layers, "normal", {"sh_normal", "nn", "normal", "normals", "ns", "sn", "n"});
   assign_like(layers, reading, "normal", "xyz", [&](const std::string& n) { return holds(n, "norm") && !geometric(n); });
   assign_like(layers, reading, "base_normal", "xyz", geometric);
   // A scene that stores one kind of normal only stores the geometric one seldom, but then it is the best there is.
@@ -53,8 +50,7 @@ void assign_roles(const ExrFile&, const std::vector<Layer>& layers, Reading& rea
   assign_like(layers, reading, "ids", "i", [](const std::string& n) { return holds(n, "shape"); });
   assign_like(layers, reading, "ids", "i", [](const std::string& n) { return !holds(n, "prim"); });
   assign_like(layers, reading, "primitive_ids", "i", [](const std::string& n) { return holds(n, "prim"); });
-  reading.facing = Facing::one_sided;
-  reading.position_premultiplied = reading.colour_premultiplied = true;
+  reading.position_premultiplied = true;
 }
 
 /// Alpha is in a nested integrator's image or beside R G B; an `aov` integrator alone writes zeros there, which say nothing.
@@ -101,7 +97,19 @@ void settle_filtering(const ExrFile& file, const ReadingOptions& options, Readin
 
 extern const Convention convention_mitsuba;
 const Convention convention_mitsuba{
-    "mitsuba",        "Mitsuba 3, aov integrator", "Mitsuba 3.9.1, measured; src/integrators/aov.cpp", recognise, assign_roles,
-    settle_filtering, settle_mitsuba_bump};
+    .name = "mitsuba",
+    .title = "Mitsuba 3, aov integrator",
+    .source = "Mitsuba 3.9.1, measured; src/integrators/aov.cpp",
+    .marks = {{.attribute = "generatedBy", .text = "mitsuba"}},
+    .aliases = {{"position", {"position", "pos", "P"}}, {"normal", {"sh_normal", "nn", "normal", "normals", "ns", "sn", "n"}}},
+    .takes_common_names = false,
+    .facing = Facing::one_sided,
+    .colour_premultiplied = true,
+    .recognise = recognise,
+    .recognised_by = "a depth channel .T beside vectors, and no camera in the header",
+    .assign = assign_typed,
+    .settle_space = settle_filtering,
+    .settle = settle_mitsuba_bump,
+};
 
 }  // namespace relume

@@ -8,44 +8,8 @@
 namespace relume {
 namespace {
 
-const Layer* named(const std::vector<Layer>& layers, const std::string& name) {
-  const auto found = std::find_if(layers.begin(), layers.end(), [&](const Layer& l) { return l.name == name; });
-  return found == layers.end() ? nullptr : &*found;
-}
-
-std::string recognise(const ExrFile& file, const std::vector<Layer>& layers) {
-  const bool normals = named(layers, "Ns") || named(layers, "Nsx");
-  if (!normals) return {};
-  if (named(layers, "dzdx") && named(layers, "dzdy")) return named(layers, "Ns") ? "channels dzdx, dzdy and Ns" : "channels dzdx, dzdy and Nsx";
-  const Imf::Header& header = file.parts().front().header;
-  const bool statistics = number_attribute(header, "samplesPerPixel") && matrix_attribute(header, "worldToNDC");
-  return statistics ? "channels Ns, header attributes samplesPerPixel and worldToNDC" : "";
-}
-
-/// Until June 2023 vectors were three bare channels: Px, Py, Pz.
-void assign_bare(const std::vector<Layer>& layers, Reading& reading, const std::string& role, const std::string& name, const std::string& letters) {
-  if (reading.roles.contains(role)) return;
-  RoleLayer result{0, name, {}, {}};
-  for (const char letter : letters) {
-    const Layer* const layer = named(layers, name + letter);
-    if (!layer || layer->components.size() != 1) return;
-    result.part = layer->part;
-    result.channels.push_back(layer->components.front().channel);
-    result.types.push_back(layer->components.front().type);
-  }
-  reading.roles[role] = result;
-}
-
-void assign_roles(const ExrFile&, const std::vector<Layer>& layers, Reading& reading) {
-  assign(reading, layers, "position", {"P"});
-  assign_bare(layers, reading, "position", "P", "xyz");
-  assign(reading, layers, "normal", {"Ns"});  // what pbrt shades with; N is the facet's
-  assign_bare(layers, reading, "normal", "Ns", "xyz");
-  assign(reading, layers, "albedo", {"Albedo"});
-  assign_bare(layers, reading, "uv", "", "uv");
-  if (const auto uv = reading.roles.find("uv"); uv != reading.roles.end()) uv->second.layer = "uv";
-  reading.facing = Facing::two_sided;
-  reading.colour_premultiplied = true;
+/// The file does not tell its materials.
+void choose_lobes(Reading& reading) {
   reading.default_diffuse = "lambert";
   reading.default_specular = "none";
   reading.notes.push_back(
@@ -71,6 +35,17 @@ void settle_space(const ExrFile& file, const ReadingOptions& options, Reading& r
 
 extern const Convention convention_pbrt;
 const Convention convention_pbrt{
-    "pbrt", "pbrt-v4, Film \"gbuffer\"", "pbrt-v4 5f7a606, measured; src/pbrt/film.cpp", recognise, assign_roles, settle_space, nullptr};
+    .name = "pbrt",
+    .title = "pbrt-v4, Film \"gbuffer\"",
+    .source = "pbrt-v4 5f7a606, measured; src/pbrt/film.cpp",
+    .marks = {{.layers = {"dzdx", "dzdy", "Ns"}}, {.attribute = "samplesPerPixel", .layers = {"Ns", "P"}}},
+    // Ns is what pbrt shades with; N is the facet's. Until June 2023 components had no dot: Nsx, Px.
+    .aliases = {{"position", {"P"}}, {"normal", {"Ns"}}, {"albedo", {"Albedo"}}, {"uv", {"uv"}}},
+    .takes_common_names = false,
+    .facing = Facing::two_sided,
+    .colour_premultiplied = true,
+    .choose_lobes = choose_lobes,
+    .settle_space = settle_space,
+};
 
 }  // namespace relume
