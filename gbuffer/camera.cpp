@@ -1,12 +1,6 @@
-// Cameras from positions: resectioning by the direct linear transform, Hartley and Zisserman 2004, "Multiple View Geometry", ch. 7,
-// with normalised coordinates, reweighted towards the reprojection error (their 4.2) and against outliers (Cauchy weights).
+// Cameras against what they saw: lenses, reprojection, and how well a pose explains positions.
 #include "gbuffer/camera.h"
 
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"  // g++ 12 suspects a scalar inside Eigen 3.4's triangular product
-#endif
-
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -17,281 +11,113 @@
 namespace relume {
 namespace {
 
-using Eigen::MatrixXd;
-using Eigen::Vector3d;
-using Eigen::VectorXd;
-using Projection34 = Eigen::Matrix<double, 3, 4>;
-
-Vector3d eigen(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
-glm::dvec3 glm_of(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double median(std::vector<double> values) {
-  if (values.empty()) return std::numeric_limits<double>::infinity();
+  if (values.empty()) return infinity;
   const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
 
-/// Moves and scales points to mean 0 and mean distance sqrt(dimension): without it the system is ill-conditioned (H&Z 4.4.4).
-struct Normaliser {
-  Vector3d world_centre{0, 0, 0};
-  double world_scale = 1, centre_x = 0, centre_y = 0, pixel_scale = 1;
-
-  explicit Normaliser(const std::vector<Sighting>& sightings) {
-    const double n = double(sightings.size());
-    for (const Sighting& s : sightings) {
-      world_centre += eigen(s.position) / n;
-      centre_x += s.x / n;
-      centre_y += s.y / n;
-    }
-    double world = 0, pixel = 0;
-    for (const Sighting& s : sightings) {
-      world += (eigen(s.position) - world_centre).norm() / n;
-      pixel += std::hypot(s.x - centre_x, s.y - centre_y) / n;
-    }
-    world_scale = world > 0 ? std::sqrt(3.0) / world : 1;
-    pixel_scale = pixel > 0 ? std::sqrt(2.0) / pixel : 1;
-  }
-
-  Eigen::Vector4d world(const Sighting& s) const {
-    Eigen::Vector4d point;
-    point << (eigen(s.position) - world_centre) * world_scale, 1;
-    return point;
-  }
-  double x(const Sighting& s) const { return (s.x - centre_x) * pixel_scale; }
-  double y(const Sighting& s) const { return (s.y - centre_y) * pixel_scale; }
-
-  /// A projection of normalised points to normalised pixels as one of world points to pixels.
-  Projection34 undone(const Projection34& normal) const {
-    Eigen::Matrix3d pixels;
-    pixels << 1 / pixel_scale, 0, centre_x, 0, 1 / pixel_scale, centre_y, 0, 0, 1;
-    Eigen::Matrix4d points = Eigen::Matrix4d::Identity();
-    points.topLeftCorner<3, 3>() *= world_scale;
-    points.topRightCorner<3, 1>() = -world_scale * world_centre;
-    return pixels * normal * points;
-  }
+/// What the lens makes pixels of: offsets a unit in front of the eye; orthographic: world units.
+struct Tangents {
+  std::vector<glm::dvec2> values;
+  std::size_t behind = 0;
 };
 
-struct Fit {
-  Projection34 projection = Projection34::Zero();
-  bool determined = false;
-  double residual = std::numeric_limits<double>::infinity();  ///< median, pixels
-};
-
-/// Right singular vector of the smallest singular value, and whether it is the only small one.
-Fit smallest(const MatrixXd& system) {
-  const Eigen::JacobiSVD<MatrixXd> svd(system, Eigen::ComputeFullV);  // reduced by QR first: the system itself, not its square
-  Fit fit;
-  fit.determined = svd.singularValues()(10) > 1e-10 * svd.singularValues()(0);  // else another camera fits as exactly: all points in one plane
-  const VectorXd p = svd.matrixV().col(11);
-  fit.projection << p.segment<4>(0).transpose(), p.segment<4>(4).transpose(), p.segment<4>(8).transpose();
-  return fit;
-}
-
-Fit solve_perspective(const std::vector<Sighting>& sightings, const Normaliser& normaliser, const VectorXd& weights) {
-  MatrixXd system(2 * Eigen::Index(sightings.size()), 12);
-  for (Eigen::Index i = 0; i < Eigen::Index(sightings.size()); ++i) {
-    const Sighting& s = sightings[std::size_t(i)];
-    const Eigen::RowVector4d point = normaliser.world(s).transpose(), none = Eigen::RowVector4d::Zero();
-    system.row(2 * i) << point, none, -normaliser.x(s) * point;
-    system.row(2 * i + 1) << none, point, -normaliser.y(s) * point;
-    system.middleRows(2 * i, 2) *= weights(i);
-  }
-  return smallest(system);
-}
-
-Fit solve_orthographic(const std::vector<Sighting>& sightings, const Normaliser& normaliser, const VectorXd& weights) {
-  const Eigen::Index n = Eigen::Index(sightings.size());
-  MatrixXd points(n, 4), pixels(n, 2);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Sighting& s = sightings[std::size_t(i)];
-    points.row(i) = weights(i) * normaliser.world(s).transpose();
-    pixels.row(i) << weights(i) * normaliser.x(s), weights(i) * normaliser.y(s);
-  }
-  const Eigen::ColPivHouseholderQR<MatrixXd> qr(points);
-  Fit fit;
-  fit.determined = std::abs(qr.matrixR()(3, 3)) > 1e-10 * std::abs(qr.matrixR()(0, 0));
-  fit.projection.topRows<2>() = qr.solve(pixels).transpose();
-  fit.projection.row(2) << 0, 0, 0, 1;
-  return fit;
-}
-
-/// Iteratively reweighted: divided by depth, the algebraic error becomes the reprojection error; Cauchy weights quieten outliers.
-template <class Solve>
-Fit fitted(const std::vector<Sighting>& sightings, Solve&& solve) {
-  constexpr int rounds = 8;  // converges in 3 or 4 on clean positions; outliers need the rest
-  const Normaliser normaliser(sightings);
-  VectorXd weights = VectorXd::Ones(Eigen::Index(sightings.size()));
-  Fit best;
-  for (int round = 0; round < rounds; ++round) {
-    Fit fit = solve(sightings, normaliser, weights);
-    std::vector<double> depths, errors;
-    for (const Sighting& s : sightings) {
-      const Vector3d p = fit.projection * normaliser.world(s);
-      depths.push_back(std::abs(p.z()));
-      errors.push_back(std::hypot(p.x() / p.z() - normaliser.x(s), p.y() / p.z() - normaliser.y(s)));
-    }
-    const double typical = median(errors), depth = median(depths);
-    fit.residual = typical / normaliser.pixel_scale;
-    fit.projection = normaliser.undone(fit.projection);
-    if (fit.residual < best.residual || round == 0) best = fit;
-    const double width = std::max(2 * typical, 1e-9);  // twice the median is about one and a half standard deviations
-    for (Eigen::Index i = 0; i < weights.size(); ++i) {
-      const double error = errors[std::size_t(i)] / width, far = std::max(depths[std::size_t(i)] / depth, 1e-3);
-      weights(i) = std::isfinite(error) ? 1 / (far * std::sqrt(1 + error * error)) : 0;
-    }
-  }
-  return best;
-}
-
-bool flat(const std::vector<Sighting>& sightings) {
-  const Normaliser normaliser(sightings);
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+Tangents tangents_of(const Camera& camera, const std::vector<Sighting>& sightings) {
+  const glm::dmat4 camera_from_world = glm::inverse(camera.world_from_camera);
+  const bool orthographic = camera.projection == Camera::Projection::orthographic;
+  Tangents tangents;
   for (const Sighting& s : sightings) {
-    const Vector3d p = normaliser.world(s).head<3>();
-    spread += p * p.transpose();
+    const glm::dvec3 p(camera_from_world * glm::dvec4(s.position, 1));
+    tangents.behind += !orthographic && p.z >= 0;
+    tangents.values.push_back(orthographic ? glm::dvec2(p) : glm::dvec2(p) / std::abs(p.z));
   }
-  const Vector3d values = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvalues();
-  return values(0) <= 1e-10 * values(2);  // thinner than a 100000th of its extent: single precision cannot tell it from a plane
+  return tangents;
 }
 
-glm::dmat4 frame(const Vector3d& right, const Vector3d& up, const Vector3d& backward, const Vector3d& eye) {
-  return {glm::dvec4(glm_of(right), 0), glm::dvec4(glm_of(up), 0), glm::dvec4(glm_of(backward), 0), glm::dvec4(glm_of(eye), 1)};
+/// x = a + b tan along one image axis: what a field of view and an off-centre window may do to the image.
+struct Line {
+  double n = 0, t = 0, p = 0, tt = 0, tp = 0;
+
+  void add(double tangent, double pixel, double weight) {
+    n += weight, t += weight * tangent, p += weight * pixel, tt += weight * tangent * tangent, tp += weight * tangent * pixel;
+  }
+  double slope() const { return (n * tp - t * p) / (n * tt - t * t); }
+  double at(double tangent) const { return (p - slope() * t) / n + slope() * tangent; }
+};
+
+bool usable(const Lens& lens) {
+  return std::isfinite(lens.scale_x + lens.scale_y + lens.centre_x + lens.centre_y) && lens.scale_x > 0 && lens.scale_y > 0;
 }
 
-/// Right and up made perpendicular to backward and to each other, turned equally; their handedness is kept.
-glm::dmat4 square_frame(Vector3d right, Vector3d up, const Vector3d& backward, const Vector3d& eye) {
-  const double hand = right.cross(up).dot(backward) < 0 ? -1 : 1;
-  right = (right - backward * right.dot(backward)).normalized();
-  up = (up - backward * up.dot(backward)).normalized();
-  const Vector3d middle = (right + up).normalized(), across = hand * backward.cross(middle);
-  return frame((middle - across).normalized(), (middle + across).normalized(), backward, eye);
-}
-
-/// The principal point lies in the middle of the window, so that a field of view describes the image.
-bool centred(double x, double y, const Window& display) {
+/// The optical axis meets the middle of the window, so that a field of view describes the image.
+bool centred(const Lens& lens, const Window& display) {
   const double middle_x = 0.5 * (display.min_x + display.max_x), middle_y = 0.5 * (display.min_y + display.max_y);
-  return std::abs(x - middle_x) < 0.01 * display.width() && std::abs(y - middle_y) < 0.01 * display.height();
-}
-
-Camera perspective_camera(Projection34 p, const std::vector<Sighting>& sightings, const Window& display) {
-  std::size_t in_front = 0;
-  for (const Sighting& s : sightings) in_front += p.row(2).head<3>().dot(eigen(s.position)) + p(2, 3) > 0;
-  if (2 * in_front < sightings.size()) p = -p;
-  p /= p.row(2).head<3>().norm();
-  const Vector3d x = p.row(0).head<3>(), y = p.row(1).head<3>(), forward = p.row(2).head<3>();
-  const double centre_x = x.dot(forward), centre_y = y.dot(forward);
-  const Vector3d right = x - centre_x * forward, down = y - centre_y * forward;
-  const Vector3d eye = -p.leftCols<3>().fullPivLu().solve(p.col(3));
-  Camera camera;
-  camera.world_from_camera = square_frame(right.normalized(), -down.normalized(), -forward, eye);
-  set_extent(camera, {0, centre_x, centre_y, down.norm()}, display);
-  return camera;
-}
-
-/// Positions alone do not tell a mirrored world from a view from behind: a right-handed world is taken.
-Camera orthographic_camera(const Projection34& p, const std::vector<Sighting>& sightings, const Window& display) {
-  const Vector3d x = p.row(0).head<3>(), down = p.row(1).head<3>();
-  const Vector3d right = x.normalized(), up = -down.normalized(), backward = right.cross(up).normalized();
-  Vector3d centre{0, 0, 0};
-  double reach = 0;
-  for (const Sighting& s : sightings) centre += eigen(s.position) / double(sightings.size());
-  for (const Sighting& s : sightings) reach = std::max(reach, (eigen(s.position) - centre).norm());
-  Camera camera;
-  camera.projection = Camera::Projection::orthographic;
-  // On the middle of the window, clear of everything seen.
-  const double off_x = 0.5 * (display.min_x + display.max_x) - (x.dot(centre) + p(0, 3));
-  const double off_y = 0.5 * (display.min_y + display.max_y) - (down.dot(centre) + p(1, 3));
-  const Vector3d eye = centre + right * (off_x / x.norm()) - up * (off_y / down.norm()) + backward * 2 * reach;
-  camera.world_from_camera = square_frame(right, up, backward, eye);
-  camera.height = display.height() / down.norm();
-  return camera;
-}
-
-double reach_of(const std::vector<Sighting>& sightings, const glm::dvec3& eye) {
-  std::vector<double> distances;
-  for (const Sighting& s : sightings) distances.push_back(glm::distance(s.position, eye));
-  return median(distances);
-}
-
-Camera camera_of(const Fit& fit, bool orthographic, const std::vector<Sighting>& sightings, const Window& display) {
-  return orthographic ? orthographic_camera(fit.projection, sightings, display) : perspective_camera(fit.projection, sightings, display);
-}
-
-/// How far apart two halves of the sightings put the viewer, as an angle at the scene. What does not determine a camera answers at random.
-double disagreement(const std::vector<Sighting>& sightings, bool orthographic, const Window& display) {
-  std::vector<Sighting> halves[2];
-  for (std::size_t i = 0; i < sightings.size(); ++i) halves[i % 2].push_back(sightings[i]);
-  Camera cameras[2];
-  for (int h = 0; h < 2; ++h)
-    cameras[h] =
-        camera_of(orthographic ? fitted(halves[h], solve_orthographic) : fitted(halves[h], solve_perspective), orthographic, sightings, display);
-  if (orthographic) return glm::distance(cameras[0].backward(), cameras[1].backward());
-  return glm::distance(cameras[0].eye(), cameras[1].eye()) / reach_of(sightings, cameras[0].eye());
+  return std::abs(lens.centre_x - middle_x) < 0.01 * display.width() && std::abs(lens.centre_y - middle_y) < 0.01 * display.height();
 }
 
 }  // namespace
 
 glm::dvec3 Camera::backward() const { return glm::normalize(glm::dvec3(world_from_camera[2])); }
 
-Recovery recover(const std::vector<Sighting>& sightings, const Window& display, double max_residual) {
-  if (sightings.size() < 8) return {{}, "only " + std::to_string(sightings.size()) + " usable positions"};
-  if (flat(sightings)) return {{}, "all positions lie in one plane"};
-  const Fit perspective = fitted(sightings, solve_perspective), affine = fitted(sightings, solve_orthographic);
-  // A perspective camera fits an orthographic image too, only a little better; a thousandth of a pixel is what float positions leave.
-  const bool orthographic = affine.residual <= 1.1 * perspective.residual + 1e-3;
-  const Fit& fit = orthographic ? affine : perspective;
-  if (!fit.determined) return {{}, "the positions fit many cameras alike"};
-  if (!(fit.residual <= max_residual))
-    return {{}, "no camera sees the positions at their pixels (best: " + std::to_string(fit.residual) + " pixels off)"};
-  constexpr double too_uncertain = 0.01;  // half a degree of viewing direction: more is visible in highlights
-  if (sightings.size() >= 16 && !(disagreement(sightings, orthographic, display) < too_uncertain))
-    return {{}, "the positions lie too nearly in one plane"};
-  Camera camera = camera_of(fit, orthographic, sightings, display);
-  camera.source = "recovered from the positions";
-  camera.residual = fit.residual;
-  return {camera, ""};
-}
-
-std::optional<Camera> recover_camera(const std::vector<Sighting>& sightings, const Window& display, double max_residual) {
-  return recover(sightings, display, max_residual).camera;
-}
-
-PoseFit fit_pose(const Camera& camera, const std::vector<Sighting>& sightings) {
-  const glm::dmat4 camera_from_world = glm::inverse(camera.world_from_camera);
+std::optional<Lens> lens_of(const Camera& camera, const Window& display, double pixel_aspect) {
+  if (camera.lens) return camera.lens;
   const bool orthographic = camera.projection == Camera::Projection::orthographic;
-  // One line a coordinate, x = a + b tan: what a field of view and an off-centre window may do to the image.
-  struct Line {
-    double n = 0, t = 0, p = 0, tt = 0, tp = 0;
-    void add(double tangent, double pixel) { n += 1, t += tangent, p += pixel, tt += tangent * tangent, tp += tangent * pixel; }
-    double slope() const { return (n * tp - t * p) / (n * tt - t * t); }
-    double at(double tangent) const { return (p - slope() * t) / n + slope() * tangent; }
-  } across, down;
-  std::vector<glm::dvec2> tangents;
-  std::size_t behind = 0;
-  for (const Sighting& s : sightings) {
-    const glm::dvec3 p(camera_from_world * glm::dvec4(s.position, 1));
-    behind += !orthographic && p.z >= 0;
-    tangents.push_back(orthographic ? glm::dvec2(p) : glm::dvec2(p) / std::abs(p.z));
-    across.add(tangents.back().x, s.x);
-    down.add(tangents.back().y, s.y);
-  }
-  PoseFit fit{std::numeric_limits<double>::infinity(), across.at(0), down.at(0), -down.slope()};
-  if (2 * behind > sightings.size() || !(across.slope() > 0) || !(down.slope() < 0)) return fit;
-  std::vector<double> errors;
-  for (std::size_t i = 0; i < sightings.size(); ++i)
-    errors.push_back(std::hypot(across.at(tangents[i].x) - sightings[i].x, down.at(tangents[i].y) - sightings[i].y));
-  fit.residual = median(errors);
-  return fit;
+  const double span = orthographic ? camera.height : 2 * std::tan(camera.vertical_fov * std::numbers::pi / 360);
+  const double scale_y = display.height() / span;
+  const Lens lens{scale_y / pixel_aspect, scale_y, 0.5 * (display.min_x + display.max_x), 0.5 * (display.min_y + display.max_y)};
+  return span > 0 && usable(lens) ? std::optional(lens) : std::nullopt;
 }
 
-void set_extent(Camera& camera, const PoseFit& fit, const Window& display) {
-  const bool usable = std::isfinite(fit.scale_y) && fit.scale_y > 0 && centred(fit.centre_x, fit.centre_y, display);
-  const double half = usable ? 0.5 * display.height() / fit.scale_y : 0;
+void set_extent(Camera& camera, const Lens& lens, const Window& display) {
+  const double half = usable(lens) && centred(lens, display) ? 0.5 * display.height() / lens.scale_y : 0;
   if (camera.projection == Camera::Projection::orthographic)
     camera.height = 2 * half;
   else
     camera.vertical_fov = 360 / std::numbers::pi * std::atan(half);
+}
+
+void set_extent(Camera& camera, const PoseFit& fit, const Window& display) {
+  camera.lens = usable(fit.lens()) ? std::optional(fit.lens()) : std::nullopt;
+  set_extent(camera, fit.lens(), display);
+}
+
+double reprojection_error(const Camera& camera, const std::vector<Sighting>& sightings) {
+  if (!camera.lens || sightings.empty()) return infinity;
+  const Tangents tangents = tangents_of(camera, sightings);
+  if (2 * tangents.behind > sightings.size()) return infinity;
+  const Lens& lens = *camera.lens;
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < sightings.size(); ++i) {
+    const glm::dvec2& t = tangents.values[i];
+    errors.push_back(std::hypot(lens.centre_x + lens.scale_x * t.x - sightings[i].x, lens.centre_y - lens.scale_y * t.y - sightings[i].y));
+  }
+  return median(errors);
+}
+
+PoseFit fit_pose(const Camera& camera, const std::vector<Sighting>& sightings) {
+  const Tangents tangents = tangents_of(camera, sightings);
+  std::vector<double> weights(sightings.size(), 1), errors(sightings.size());
+  PoseFit fit{infinity, 0, 0, 0, 0};
+  constexpr int rounds = 4;  // outliers (edges, positions at infinity) are quiet after three
+  for (int round = 0; round < rounds; ++round) {
+    Line across, down;
+    for (std::size_t i = 0; i < sightings.size(); ++i) {
+      across.add(tangents.values[i].x, sightings[i].x, weights[i]);
+      down.add(tangents.values[i].y, sightings[i].y, weights[i]);
+    }
+    fit = {infinity, across.at(0), down.at(0), -down.slope(), across.slope()};
+    if (2 * tangents.behind > sightings.size() || !usable(fit.lens())) return fit;
+    for (std::size_t i = 0; i < sightings.size(); ++i)
+      errors[i] = std::hypot(across.at(tangents.values[i].x) - sightings[i].x, down.at(tangents.values[i].y) - sightings[i].y);
+    fit.residual = median(errors);
+    const double width = std::max(2 * fit.residual, 1e-9);  // Cauchy weights, as in recover()
+    for (std::size_t i = 0; i < sightings.size(); ++i) weights[i] = 1 / (1 + errors[i] * errors[i] / (width * width));
+  }
+  return fit;
 }
 
 }  // namespace relume

@@ -32,14 +32,38 @@ struct Camera {
   glm::dvec3 backward() const;
 };
 
+/// The camera's own lens, else the one that its field of view or height tells of this window; empty where neither is known.
+/// `pixel_aspect`: width of a pixel over its height, as in OpenEXR's header.
+std::optional<Lens> lens_of(const Camera& camera, const Window& display, double pixel_aspect);
+
+/// The field of view or height that the lens gives the window; 0 where the optical axis is not at its centre.
+void set_extent(Camera& camera, const Lens& lens, const Window& display);
+
 /// A pixel's centre in display-window coordinates (x right, y down, pixel (0,0) has its centre at 0.5, 0.5) and its surface point.
 struct Sighting {
   double x, y;
   glm::dvec3 position;
 };
 
-/// Finds the camera that sees each position at its pixel: perspective (also off-centre, non-square) or orthographic, by direct linear
-/// transform with normalisation (Hartley and Zisserman 2004, ch. 7), least squares through Eigen.
+/// Median distance in pixels between where the camera's own lens shows each position and where it was seen. Infinite without a lens, or where half
+/// of the positions lie behind the camera.
+double reprojection_error(const Camera& camera, const std::vector<Sighting>& sightings);
+
+/// How well a camera's place and axes explain the sightings, whatever its field of view and lens shift.
+struct PoseFit {
+  double residual;  ///< median reprojection error in pixels after the best scale and offset of each image axis; infinite: it looks the other way
+  double centre_x, centre_y;  ///< where the optical axis meets the image, pixels
+  double scale_y;             ///< pixels a unit of the tangent down the image; orthographic: pixels a world unit
+  double scale_x;             ///< the same across
+
+  Lens lens() const { return {scale_x, scale_y, centre_x, centre_y}; }
+};
+PoseFit fit_pose(const Camera& camera, const std::vector<Sighting>& sightings);
+
+/// The lens that the fit found, if it is one, with the field of view or height that follows.
+void set_extent(Camera& camera, const PoseFit& fit, const Window& display);
+
+/// Finds the camera that sees each position at its pixel: perspective (also off-centre, non-square) or orthographic, with its lens.
 /// Empty where the positions do not determine one (fewer than 8, all in one plane, residual above `max_residual` px).
 std::optional<Camera> recover_camera(const std::vector<Sighting>& sightings, const Window& display, double max_residual = 1.0);
 
@@ -49,16 +73,5 @@ struct Recovery {
   std::string why_not;
 };
 Recovery recover(const std::vector<Sighting>& sightings, const Window& display, double max_residual = 1.0);
-
-/// How well a camera's place and axes explain the sightings, whatever its field of view and lens shift.
-struct PoseFit {
-  double residual;  ///< median reprojection error in pixels after the best scale and offset of each image axis; infinite: it looks the other way
-  double centre_x, centre_y;  ///< where the optical axis meets the image, pixels
-  double scale_y;             ///< pixels a unit of the tangent down the image; orthographic: pixels a world unit
-};
-PoseFit fit_pose(const Camera& camera, const std::vector<Sighting>& sightings);
-
-/// The field of view or height that the fit found; 0 where the axis is not at the window's centre.
-void set_extent(Camera& camera, const PoseFit& fit, const Window& display);
 
 }  // namespace relume

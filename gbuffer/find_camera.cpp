@@ -1,6 +1,7 @@
 // Choosing a camera and checking it against the positions.
 #include "gbuffer/find_camera.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
@@ -30,6 +31,7 @@ struct Evidence {
 
 Evidence evidence_of(const ExrFile& file, const Reading& reading) {
   Evidence evidence;
+  if (!reading.roles.contains("position")) return evidence;
   const auto bands = sample_rows(file, reading, {"position", "normal", "depth", "coverage"});
   evidence.sightings = clear_sightings(bands, reading, evidence.normals);
   for (Sighting& s : evidence.sightings) s.position = reading.position_scale * in_axes(reading.position_axes, s.position);
@@ -57,27 +59,45 @@ Recovery recovered(const Evidence& evidence, const Reading& reading) {
   return recovery;
 }
 
+/// What the header may mean, and before that what the convention made of it.
+std::vector<Camera> candidates_of(const ExrFile& file, const Reading& reading) {
+  std::vector<Camera> candidates = header_cameras(file, reading.part, reading.display_window);
+  if (reading.camera) candidates.insert(candidates.begin(), *reading.camera);
+  return candidates;
+}
+
+/// The positions' own lens for a camera that they bear out: a header's window is often not all in its matrices (pbrt). A lens that the header
+/// states and they contradict is worth a word.
+void take_lens(Camera& camera, const PoseFit& fit, const std::vector<Sighting>& sightings, const Reading& reading, std::vector<std::string>& notes) {
+  const double stated = camera.lens ? reprojection_error(camera, sightings) : 0;
+  camera.residual = fit.residual;
+  if (fit.residual > agreement) return;
+  set_extent(camera, fit, reading.display_window);
+  if (stated > agreement)
+    notes.push_back("the lens that " + camera.source + " tells is " + number(stated) +
+                    " pixels off the positions' places: the lens that the positions tell is used");
+}
+
 /// The best of the header's cameras, with its residual.
-std::optional<Camera> stated_camera(const ExrFile& file, const Reading& reading, const Evidence& evidence) {
-  std::vector<Camera> candidates;
-  if (reading.camera) candidates.push_back(*reading.camera);
-  for (const Camera& camera : header_cameras(file.parts()[std::size_t(reading.part)].header, reading.display_window)) candidates.push_back(camera);
-  if (reading.part != 0)  // renderers of multi-part files often describe the camera in the first part only
-    for (const Camera& camera : header_cameras(file.parts().front().header, reading.display_window)) candidates.push_back(camera);
+std::optional<Camera> stated_camera(const ExrFile& file, Reading& reading, const Evidence& evidence) {
   std::optional<Camera> best;
-  for (Camera& camera : candidates) {
+  PoseFit best_fit{};
+  for (Camera& camera : candidates_of(file, reading)) {
     const PoseFit fit = fit_pose(camera, evidence.sightings);
-    camera.residual = fit.residual;
-    if (fit.residual <= agreement) set_extent(camera, fit, reading.display_window);  // a lens's window is often not in the matrices (pbrt)
-    if (!best || camera.residual < best->residual) best = camera;
+    if (best && !(fit.residual < best_fit.residual)) continue;
+    best = std::move(camera);
+    best_fit = fit;
   }
+  if (best && !evidence.sightings.empty()) take_lens(*best, best_fit, evidence.sightings, reading, reading.notes);
   return best;
 }
 
 /// A camera from outside is obeyed, but one that did not see this file is worth a word.
 void check_given(Camera& given, const Evidence& evidence, Reading& reading) {
   if (evidence.sightings.empty()) return;
-  given.residual = fit_pose(given, evidence.sightings).residual;
+  const PoseFit fit = fit_pose(given, evidence.sightings);
+  given.residual = fit.residual;
+  if (fit.residual <= agreement) set_extent(given, fit, reading.display_window);
   constexpr double suspicious = 0.05;  // pixels; positions in half precision leave less
   if (given.residual < suspicious) return;
   const Recovery recovery = recovered(evidence, reading);
@@ -92,23 +112,53 @@ void check_given(Camera& given, const Evidence& evidence, Reading& reading) {
                           " pixels off their places; they were seen " + place + " (--camera auto uses that)");
 }
 
+/// Positions in camera space tell the lens, whatever the pose.
+void lens_of_camera_space(Camera& camera, const Evidence& evidence, const Reading& reading) {
+  if (evidence.sightings.empty()) return;
+  Camera at_origin = camera;
+  at_origin.world_from_camera = glm::dmat4(1);
+  if (reading.camera_z_forward) at_origin.world_from_camera[2] *= -1.0;
+  const PoseFit fit = fit_pose(at_origin, evidence.sightings);
+  camera.residual = fit.residual;
+  if (fit.residual <= agreement) set_extent(camera, fit, reading.display_window);
+}
+
 /// Layers in camera space can only be lit from a world if a camera links the two; without one the camera's space is the world.
 void camera_of_camera_space(const ExrFile& file, const ReadingOptions& options, Reading& reading) {
   if (options.camera) {
     reading.camera = options.camera;
+  } else if (!reading.camera || options.recover_camera) {
+    const auto stated = options.recover_camera ? std::vector<Camera>{} : candidates_of(file, reading);
+    reading.camera = stated.empty() ? Camera{} : stated.front();
+    if (stated.empty()) {
+      reading.camera->source = "the space of the layers";
+      reading.notes.push_back(
+          "positions are in camera space and no camera says where in the world it stands: lights are taken in camera space, "
+          "x right, y up, looking along -z (--camera FILE names a camera)");
+    }
+  }
+  lens_of_camera_space(*reading.camera, evidence_of(file, reading), reading);
+}
+
+/// A file with depth alone: the camera places its pixels in the world, and nothing in the file can check it.
+void camera_without_positions(const ExrFile& file, const ReadingOptions& options, Reading& reading) {
+  const std::vector<Camera> stated = candidates_of(file, reading);
+  if (options.camera) {
+    reading.camera = options.camera;
     return;
   }
-  if (reading.camera && !options.recover_camera) return;
-  const auto stated = header_cameras(file.parts()[std::size_t(reading.part)].header, reading.display_window);
-  if (!stated.empty() && !options.recover_camera) {
-    reading.camera = stated.front();
+  if (options.recover_camera) reading.notes.push_back("--camera auto: there are no positions to recover a camera from");
+  const auto with_lens = std::find_if(stated.begin(), stated.end(), [](const Camera& camera) { return camera.lens.has_value(); });
+  if (with_lens != stated.end()) {
+    reading.camera = *with_lens;
+    reading.notes.push_back("the camera is " + with_lens->source + "; there are no positions to check it by (--camera FILE overrules)");
     return;
   }
-  reading.camera = Camera{};
-  reading.camera->source = "the space of the layers";
-  reading.notes.push_back(
-      "positions are in camera space and no camera says where in the world it stands: lights are taken in camera space, "
-      "x right, y up, looking along -z (--camera FILE names a camera)");
+  reading.camera.reset();
+  reading.notes.push_back(stated.empty() ? "no position layer, and no camera in the header to make positions from depth with "
+                                           "(--camera FILE names a rig, a glTF or another EXR; --map position=LAYER names a layer)"
+                                         : "no position layer, and the header's camera (" + stated.front().source +
+                                               ") has no field of view to make positions from depth with (--camera FILE names one that has)");
 }
 
 void recover_or_say_why(const Evidence& evidence, Reading& reading, const std::optional<Camera>& fallback) {
@@ -125,9 +175,8 @@ void recover_or_say_why(const Evidence& evidence, Reading& reading, const std::o
                           " (--camera FILE names a rig, a glTF or another EXR)");
 }
 
-}  // namespace
-
-void find_camera(const ExrFile& file, const ReadingOptions& options, Reading& reading) {
+void choose(const ExrFile& file, const ReadingOptions& options, Reading& reading) {
+  if (!reading.roles.contains("position")) return camera_without_positions(file, options, reading);
   if (reading.position_space == Space::camera) return camera_of_camera_space(file, options, reading);
   const Evidence evidence = evidence_of(file, reading);
   if (options.camera) {
@@ -140,6 +189,13 @@ void find_camera(const ExrFile& file, const ReadingOptions& options, Reading& re
     reading.camera = stated;
   else
     recover_or_say_why(evidence, reading, stated);
+}
+
+}  // namespace
+
+void find_camera(const ExrFile& file, const ReadingOptions& options, Reading& reading) {
+  choose(file, options, reading);
+  if (reading.camera) reading.camera->lens = lens_of(*reading.camera, reading.display_window, reading.pixel_aspect);
 }
 
 }  // namespace relume

@@ -33,7 +33,7 @@ std::vector<SampledBand> sample_rows(const ExrFile& file, const Reading& reading
 glm::dvec3 decoded_normal(const Reading& reading, const glm::dvec3& stored);
 
 /// Pixels whose surface is clear: unmixed, and so are their neighbours. At most a few thousand, with positions as stored.
-/// `normals` receives the normals, in the same order.
+/// `normals` receives the normals, in the same order; zeros where there is no normal layer.
 std::vector<Sighting> clear_sightings(const std::vector<SampledBand>& bands, const Reading& reading, std::vector<glm::dvec3>& normals);
 
 }  // namespace relume

@@ -16,11 +16,10 @@ void choose_lobes(Reading& reading) {
       "a pbrt file does not tell its materials: Lambert with the stored albedo is taken (--diffuse, --specular and --set say otherwise)");
 }
 
-/// pbrt's matrices are stored transposed; a file whose matrix is not rigid that way is no pbrt file.
 std::optional<Camera> stored_camera(const ExrFile& file, const Reading& reading) {
   const auto cameras = header_cameras(file.parts()[std::size_t(reading.part)].header, reading.display_window);
   if (cameras.empty()) return {};
-  return cameras.back();
+  return cameras.front();
 }
 
 /// Which space P, N and Ns are in, the file does not say: positions will tell (gbuffer/solver/position_space.cpp), given the camera.
