@@ -1,4 +1,5 @@
 // relume shade: the main job.
+#include <charconv>
 #include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -15,7 +16,7 @@ namespace {
 
 struct ShadeArguments {
   std::string gbuffer, output, materials, png, layers, crop, diffuse = "auto", specular = "auto", device, compression = "zip", units, up, range,
-                                                             memory = "2G";
+                                                             scale = "auto", memory = "2G";
   std::vector<std::string> rigs, set;
   double exposure = 0;
   bool half = false, full = false, overwrite = false, quiet = false, json = false;
@@ -36,6 +37,15 @@ std::int64_t bytes_of(const std::string& text) {
   if (used == 0 || scale == 0 || !(number > 0) || number * scale > 9e18)
     throw Error(ErrorKind::input, "--memory " + text + ": is not a size (512M, 2G)");
   return std::int64_t(number * scale);
+}
+
+/// "100", "0.01"
+double scale_of(const std::string& text) {
+  double scale = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), scale);
+  if (error != std::errc{} || end != text.data() + text.size() || !(scale > 0) || !(scale < 1e9))
+    throw Error(ErrorKind::input, "--rig-scale " + text + ": is not auto or a number above 0 (100: metres in a world of centimetres)");
+  return scale;
 }
 
 Window window_of(const std::string& text) {
@@ -70,6 +80,7 @@ RelightJob job_of(const ShadeArguments& a) {
   if (!a.units.empty())
     job.rig_options.units = a.units == "spec" ? RigOptions::Units::spec : a.units == "compat" ? RigOptions::Units::compat : RigOptions::Units::raw;
   if (!a.up.empty()) job.rig_options.up = a.up == "y" ? RigOptions::Up::y : RigOptions::Up::z;
+  if (a.scale != "auto") job.rig_options.scale = scale_of(a.scale);
   if (!a.range.empty()) job.rig_options.obey_range = a.range == "obey";
   job.reading = a.reading.options();
   if (a.diffuse != "auto") job.material.diffuse = a.diffuse;
@@ -142,6 +153,9 @@ void add_shade(CLI::App& command, Action& action) {
   const char* rig = "What a glTF rig does not say";
   command.add_option("--rig-units", a->units, "units of Blender's exporter")->check(CLI::IsMember({"spec", "compat", "raw"}))->group(rig);
   command.add_option("--rig-up", a->up, "the axis that points up in the rig")->check(CLI::IsMember({"y", "z"}))->group(rig);
+  command.add_option("--rig-scale", a->scale, "units of the G-buffer in one of the rig's (100: metres to centimetres); auto: told by its camera")
+      ->capture_default_str()
+      ->group(rig);
   command.add_option("--rig-range", a->range, "what to do with lights' ranges")->check(CLI::IsMember({"obey", "ignore"}))->group(rig);
   const char* out = "Output";
   const auto half = command.add_flag("--half", a->half, "16-bit samples")->group(out);

@@ -102,8 +102,8 @@ void Relight::understand_all() {
   rig_options.world_is_z_up = convention == "blender";
   std::vector<Rig> rigs;
   for (const auto& path : job_.rigs) rigs.push_back(read_rig(path, rig_options));
+  reading_ = understand_with_rigs(file_, options, rigs);
   rig_ = merge(std::move(rigs));
-  reading_ = understand_with_camera(file_, options, rig_.camera);
   std::optional<MaterialFile> materials;
   if (job_.materials) materials = read_materials(*job_.materials);
   binding_.emplace(

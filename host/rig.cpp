@@ -11,6 +11,7 @@
 
 #include "gbuffer/error.h"
 #include "host/json.h"
+#include "host/rig_alignment.h"
 #include "host/rig_readers.h"
 
 namespace relume {
@@ -72,6 +73,7 @@ Rig read_rig(const std::filesystem::path& file, const RigOptions& options) {
   const bool is_gltf = is_glb(content) || json.find("asset") != nullptr;
   Rig rig = is_gltf ? read_gltf_rig(json, text, name, options) : read_json_rig(json, name);
   make_names_unique(rig.lights);
+  if (options.scale) transform(rig, {glm::dmat3(1.0), *options.scale, 0, 0});
   return rig;
 }
 

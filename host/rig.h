@@ -36,7 +36,12 @@ struct Light {
 struct Rig {
   std::vector<Light> lights;  ///< enabled ones only
   std::optional<Camera> camera;
-  std::vector<std::string> notes;  ///< what was assumed: units, axes, ranges
+  std::vector<std::string> notes;  ///< what was assumed: units, ranges
+
+  /// Whether its world is another's than the G-buffer's, so far as options do not tell: glTF's axes and units. Its camera settles it, against the
+  /// one that saw the file (host/camera_choice.h).
+  bool axes_open = false, scale_open = false;
+  std::string assumed_axes;  ///< a note on what was taken meanwhile; empty where nothing was assumed
 };
 
 /// What a glTF rig does not say about itself (research: blender-truth). Unset: the default of the exporter that `asset.generator` names.
@@ -46,6 +51,7 @@ struct RigOptions {
   std::optional<Units> units;
   std::optional<Up> up;
   std::optional<bool> obey_range;
+  std::optional<double> scale;  ///< units of the G-buffer's world in one of the rig's: 100 for metres in a world of centimetres
   /// The G-buffer's world has z up (a Blender file): a y-up glTF is turned back to it.
   bool world_is_z_up = false;
   /// The renderer of the G-buffer. A Blender-exported spot keeps Cycles' cone whatever it is: the rim that the artist saw.

@@ -21,7 +21,7 @@ constexpr double lumens_per_watt = 683;  // Blender's exporter in its mode SPEC:
 /// The choices that a glTF does not record, each from the option or from what its exporter does by default.
 class Conventions {
  public:
-  Conventions(const tinygltf::Model& model, const RigOptions& options, std::vector<std::string>& notes);
+  Conventions(const tinygltf::Model& model, const RigOptions& options, Rig& rig);
 
   /// W/sr or W/m^2 for the file's candela, lux or watts.
   double per_unit(LightType type) const;
@@ -37,22 +37,27 @@ class Conventions {
   RigOptions::Units units_;
 };
 
-Conventions::Conventions(const tinygltf::Model& model, const RigOptions& options, std::vector<std::string>& notes)
+Conventions::Conventions(const tinygltf::Model& model, const RigOptions& options, Rig& rig)
     : blender_(model.asset.generator.find("Blender") != std::string::npos),
       obeys_range_(options.obey_range.value_or(!blender_)),
       turns_(options.world_is_z_up && (options.up ? *options.up == RigOptions::Up::y : blender_)),
       units_(options.units.value_or(blender_ ? RigOptions::Units::spec : RigOptions::Units::compat)) {
   const std::string exporter = blender_ ? "the default of Blender's exporter" : "the glTF standard's";
   if (!options.units && !model.lights.empty())
-    notes.push_back(blender_ ? "units: SPEC (683 lm/W), " + exporter + "; --rig-units compat|raw says otherwise"
-                             : "units: candela and lux taken as W/sr and W/m^2; --rig-units spec divides by 683 lm/W");
+    rig.notes.push_back(blender_ ? "units: SPEC (683 lm/W), " + exporter + "; --rig-units compat|raw says otherwise"
+                                 : "units: candela and lux taken as W/sr and W/m^2; --rig-units spec divides by 683 lm/W");
+  rig.axes_open = !options.up;
+  rig.scale_open = !options.scale;
   if (options.world_is_z_up && !options.up)
-    notes.push_back(blender_ ? "axes: y up turned to the G-buffer's z up, " + exporter + "; --rig-up z says that the file has z up"
-                             : "axes: taken as they are, although the G-buffer's world has z up; --rig-up y turns the rig");
+    rig.assumed_axes = blender_
+                           ? "axes: y up turned to the G-buffer's z up, the default of Blender's exporter; --rig-up z says that the file has z up"
+                           : "axes: taken as they are, although the G-buffer's world has z up; --rig-up y turns the rig";
+  else if (!options.up)
+    rig.assumed_axes = "axes and unit: taken to be the G-buffer's own; --rig-up and --rig-scale say otherwise";
   const bool ranged = std::any_of(model.lights.begin(), model.lights.end(), [](const tinygltf::Light& light) { return light.range > 0; });
   if (ranged && !options.obey_range)
-    notes.push_back(blender_ ? "ranges: ignored, as Cycles does; --rig-range obey says otherwise"
-                             : "ranges: obeyed with glTF's window; --rig-range ignore says otherwise");
+    rig.notes.push_back(blender_ ? "ranges: ignored, as Cycles does; --rig-range obey says otherwise"
+                                 : "ranges: obeyed with glTF's window; --rig-range ignore says otherwise");
 }
 
 double Conventions::per_unit(LightType type) const {
@@ -135,7 +140,7 @@ Rig read_gltf_rig(const Json& json, std::string_view text, const std::string& fi
   if (scene.lights.empty() && scene.cameras.empty())
     fail(file, "glTF: neither a light nor a camera in its scene (lights are in KHR_lights_punctual)");
   Rig rig;
-  const Conventions conventions(model, options, rig.notes);
+  const Conventions conventions(model, options, rig);
   for (const Placed& placed : scene.lights) rig.lights.push_back(light_from(model.lights[placed.index], placed, conventions, file));
   if (!scene.cameras.empty()) rig.camera = camera_from(model.cameras[scene.cameras[0].index], scene.cameras[0], conventions, file);
   if (scene.cameras.size() > 1)

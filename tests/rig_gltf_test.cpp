@@ -183,20 +183,27 @@ TEST(Gltf, SaysWhatWasAssumed) {
   options.world_is_z_up = true;
   const std::string camera = R"(, "cameras": [{"type": "perspective", "perspective": {"yfov": 1, "znear": 0.1}}], "animations": [])";
   const std::string content = gltf(R"({"type": "point", "range": 3})", blender, R"("camera": 0)", camera);
-  EXPECT_EQ(
-      read_string(content, options).notes,
-      (std::vector<std::string>{"units: SPEC (683 lm/W), the default of Blender's exporter; --rig-units compat|raw says otherwise",
-                                "axes: y up turned to the G-buffer's z up, the default of Blender's exporter; --rig-up z says that the file has z up",
-                                "ranges: ignored, as Cycles does; --rig-range obey says otherwise",
-                                "animations: not played; every node stands where the file has it at rest"}));
+  EXPECT_EQ(read_string(content, options).notes,
+            (std::vector<std::string>{"units: SPEC (683 lm/W), the default of Blender's exporter; --rig-units compat|raw says otherwise",
+                                      "ranges: ignored, as Cycles does; --rig-range obey says otherwise",
+                                      "animations: not played; every node stands where the file has it at rest"}));
   EXPECT_EQ(read_string(gltf(R"({"type": "point", "range": 3})"), options).notes,
             (std::vector<std::string>{"units: candela and lux taken as W/sr and W/m^2; --rig-units spec divides by 683 lm/W",
-                                      "axes: taken as they are, although the G-buffer's world has z up; --rig-up y turns the rig",
                                       "ranges: obeyed with glTF's window; --rig-range ignore says otherwise"}));
+  EXPECT_EQ(read_string(content, options).assumed_axes,
+            "axes: y up turned to the G-buffer's z up, the default of Blender's exporter; --rig-up z says that the file has z up");
+  EXPECT_EQ(read_string(gltf(R"({"type": "point"})"), options).assumed_axes,
+            "axes: taken as they are, although the G-buffer's world has z up; --rig-up y turns the rig");
+  EXPECT_EQ(read_string(gltf(R"({"type": "point"})"), {}).assumed_axes,
+            "axes and unit: taken to be the G-buffer's own; --rig-up and --rig-scale say otherwise");
+  EXPECT_TRUE(read_string(content, options).axes_open && read_string(content, options).scale_open);
   options.units = RigOptions::Units::spec;
   options.up = RigOptions::Up::y;
   options.obey_range = true;
-  EXPECT_EQ(read_string(gltf(R"({"type": "point", "range": 3})", blender), options).notes, std::vector<std::string>{});
+  const Rig said = read_string(gltf(R"({"type": "point", "range": 3})", blender), options);
+  EXPECT_EQ(said.notes, std::vector<std::string>{});
+  EXPECT_EQ(said.assumed_axes, "");
+  EXPECT_FALSE(said.axes_open);
 }
 
 TEST(Gltf, RefusesBadFiles) {
