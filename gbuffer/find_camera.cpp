@@ -117,7 +117,6 @@ void lens_of_camera_space(Camera& camera, const Evidence& evidence, const Readin
   if (evidence.sightings.empty()) return;
   Camera at_origin = camera;
   at_origin.world_from_camera = glm::dmat4(1);
-  if (reading.camera_z_forward) at_origin.world_from_camera[2] *= -1.0;
   const PoseFit fit = fit_pose(at_origin, evidence.sightings);
   camera.residual = fit.residual;
   if (fit.residual <= agreement) set_extent(camera, fit, reading.display_window);

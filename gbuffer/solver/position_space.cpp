@@ -21,7 +21,7 @@ struct Candidate {
   Space space;
   Axes axes;
   Camera camera;  ///< of the space that the positions are in
-  PoseFit fit{std::numeric_limits<double>::infinity(), 0, 0, 0};
+  PoseFit fit{std::numeric_limits<double>::infinity(), 0, 0, 0, 0};
 };
 
 std::vector<Sighting> in_axes(const std::vector<Sighting>& sightings, const Axes& axes) {
@@ -36,8 +36,7 @@ std::vector<Camera> stated_cameras(const Asked& asked, const Reading& reading) {
   if (asked.options.recover_camera) return {};
   std::vector<Camera> cameras;
   if (reading.camera) cameras.push_back(*reading.camera);
-  for (const int part : {reading.part, 0})
-    for (const Camera& camera : header_cameras(asked.file.parts()[std::size_t(part)].header, reading.display_window)) cameras.push_back(camera);
+  for (const Camera& camera : header_cameras(asked.file, reading.part, reading.display_window)) cameras.push_back(camera);
   return cameras;
 }
 
