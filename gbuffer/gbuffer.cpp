@@ -232,14 +232,14 @@ Loose read_layers(const ExrFile& file, const Reading& reading, const std::vector
   for (const std::string& role : roles)
     if (role != "ids" && !g.roles.contains(role)) g.roles[role] = add_role(file, reading, role, request, g, loose);
   if (has(reading, "depth")) {
-    loose.depth.resize(std::size_t(g.window.pixels()));
+    loose.depth.resize(std::size_t(g.samples()));
     request.add(reading.roles.at("depth"), 0, loose.depth.data(), sizeof(float));
   }
   if (reading.normal_in_tangent_frame && has(reading, "tangent")) {
-    loose.tangent.resize(std::size_t(g.window.pixels()) * 3);
+    loose.tangent.resize(std::size_t(g.samples()) * 3);
     for (std::size_t c = 0; c < 3; ++c) request.add(reading.roles.at("tangent"), c, loose.tangent.data() + c, 3 * sizeof(float));
   }
-  if (ids_needed(reading, roles)) add_ids(file, reading, request, loose, std::size_t(g.window.pixels()));
+  if (ids_needed(reading, roles)) add_ids(file, reading, request, loose, std::size_t(g.samples()));
   request.read(file, g.window);
   make_albedo(g, loose);
   if (is_made(reading, "normal")) make_normals(file, reading, g.window, {g.planes.plane(g.normal.first), g.planes.stride()});
@@ -252,6 +252,56 @@ Loose read_layers(const ExrFile& file, const Reading& reading, const std::vector
   return loose;
 }
 
+/// Where a role's stored values lie; nothing where they are not kept.
+PlaneRange range_of(const GBuffer& g, const std::string& role) {
+  if (role == "position") return g.position;
+  if (role == "normal") return g.normal;
+  if (role == "base_normal") return g.base_normal;
+  const auto found = g.roles.find(role);
+  return found == g.roles.end() || role == "coverage" ? PlaneRange{} : found->second;
+}
+
+/// One surface of a mixed pixel, in the form in which the file stores a pixel that it covers so far.
+void place(const Mixtures& mixtures, std::size_t sample, std::size_t at, const Reading& reading, GBuffer& g) {
+  const float* const values = mixtures.values.data() + sample * std::size_t(mixtures.components);
+  for (std::size_t r = 0; r < mixtures.roles.size(); ++r) {
+    const PlaneRange range = range_of(g, mixtures.roles[r]);
+    const bool direction = range.first == g.normal.first || (g.base_normal.count && range.first == g.base_normal.first);
+    for (int c = 0; c < range.count; ++c) {
+      const float value = values[mixtures.firsts[r] + c];
+      float& stored = g.planes.plane(range.first + c)[at];
+      if (direction)
+        stored = reading.normal_encoding == NormalEncoding::as_signed ? value : (value + 1) / 2;
+      else
+        stored = reading.position_premultiplied ? value * mixtures.samples[sample].coverage : value;
+    }
+  }
+}
+
+void place(const Mixtures& mixtures, const Reading& reading, GBuffer& g, Loose& loose) {
+  if (mixtures.samples.empty()) return;
+  loose.coverage.resize(std::size_t(g.samples()), 1.0f);
+  if (!loose.ids.empty()) loose.ids.resize(std::size_t(g.samples()));
+  std::size_t extra = std::size_t(g.window.pixels());
+  for (std::size_t k = 0; k < mixtures.samples.size(); ++k) {
+    const Mixtures::Sample& sample = mixtures.samples[k];
+    const bool first = k == 0 || mixtures.samples[k - 1].pixel != sample.pixel;
+    const std::size_t home = std::size_t(sample.pixel), at = first ? home : extra++;
+    place(mixtures, k, at, reading, g);
+    loose.coverage[at] = sample.coverage;
+    if (!loose.ids.empty()) loose.ids[at] = sample.id;
+    if (!loose.depth.empty()) loose.depth[at] = 0;  // the pixel's centre may show the background
+    for (std::size_t c = 0; c < 3 && !loose.tangent.empty(); ++c) loose.tangent[3 * at + c] = loose.tangent[3 * home + c];
+  }
+}
+
+std::vector<std::int64_t> homes_of(const Mixtures& mixtures) {
+  std::vector<std::int64_t> homes;
+  for (std::size_t k = 1; k < mixtures.samples.size(); ++k)
+    if (mixtures.samples[k - 1].pixel == mixtures.samples[k].pixel) homes.push_back(mixtures.samples[k].pixel);
+  return homes;
+}
+
 int planes_needed(const ExrFile& file, const Reading& reading, const std::vector<std::string>& roles) {
   int count = 3 + 3 + 3 + 1;
   for (const std::string& role : roles) count += is_made(reading, role) ? 3 : int(layer_of(file, reading, role).channels.size());
@@ -260,13 +310,16 @@ int planes_needed(const ExrFile& file, const Reading& reading, const std::vector
 
 }  // namespace
 
-GBuffer read_gbuffer(const ExrFile& file, const Reading& reading, const Window& window, const std::vector<std::string>& roles, int spare_planes) {
-  GBuffer g{window, Planes(std::size_t(window.pixels()), planes_needed(file, reading, roles) + spare_planes), {}, {}, {}, {}, false, {}, {}, 0, 0};
+GBuffer read_gbuffer(const ExrFile& file, const Reading& reading, const Window& window, const std::vector<std::string>& roles, int spare_planes,
+                     const Mixtures& mixtures) {
+  const std::size_t samples = std::size_t(window.pixels() + mixtures.extras());
+  GBuffer g{window, Planes(samples, planes_needed(file, reading, roles) + spare_planes), {}, {}, {}, {}, false, {}, {}, 0, 0, homes_of(mixtures)};
   Loose loose = read_layers(file, reading, roles, g);
+  place(mixtures, reading, g, loose);
   const Finisher finisher(g, reading, loose);
   constexpr std::size_t grain = 1 << 14;  // pixels: a third of a millisecond of work
   const Finisher::Count count = tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, std::size_t(window.pixels()), grain), Finisher::Count{},
+      tbb::blocked_range<std::size_t>(0, samples, grain), Finisher::Count{},
       [&](const auto& range, const Finisher::Count& before) {
         const Finisher::Count here = finisher.finish(range.begin(), range.end());
         return Finisher::Count{before.surface + here.surface, before.bad + here.bad, before.partial + here.partial};
@@ -274,7 +327,7 @@ GBuffer read_gbuffer(const ExrFile& file, const Reading& reading, const Window& 
       [](const Finisher::Count& a, const Finisher::Count& b) {
         return Finisher::Count{a.surface + b.surface, a.bad + b.bad, a.partial + b.partial};
       });
-  g.surface_pixels = count.surface;
+  g.surface_pixels = count.surface - std::int64_t(g.homes.size());
   g.bad_pixels = count.bad;
   g.fractional_coverage = count.partial > 0;
   if (std::find(roles.begin(), roles.end(), "ids") != roles.end()) g.ids = std::move(loose.ids);

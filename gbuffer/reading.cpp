@@ -7,6 +7,7 @@
 
 #include "gbuffer/convention.h"
 #include "gbuffer/error.h"
+#include "gbuffer/filtered_layers.h"
 #include "gbuffer/find_camera.h"
 #include "gbuffer/printable.h"
 #include "gbuffer/role_layers.h"
@@ -200,6 +201,7 @@ Reading understand(const ExrFile& file, const ReadingOptions& options) {
   solve_with_camera(file, options, reading);
   make_missing(file, reading);
   if (convention.settle) convention.settle(file, options, reading);
+  reading.filtered = looks_filtered(file, reading);
   return reading;
 }
 

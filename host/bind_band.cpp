@@ -91,7 +91,7 @@ class Reader {
 }  // namespace
 
 std::vector<int> Binding::materials_of_pixels(const GBuffer& gbuffer) const {
-  const Pixel pixels = gbuffer.window.pixels();
+  const Pixel pixels = gbuffer.samples();
   std::vector<int> material(std::size_t(pixels), fallback_);
   std::set<std::uint32_t> unknown;
   const float* coverage = gbuffer.planes.plane(gbuffer.coverage.first);
@@ -125,11 +125,11 @@ void Binding::fill_program_plane(GBuffer& gbuffer, const std::vector<int>& mater
   frame.program_plane = gbuffer.planes.add();
   float* program = gbuffer.planes.plane(frame.program_plane);
   const float* coverage = gbuffer.planes.plane(gbuffer.coverage.first);
-  for_pixels(gbuffer.window.pixels(), [&](Pixel i) {
+  for_pixels(gbuffer.samples(), [&](Pixel i) {
     const int m = material[std::size_t(i)];
     program[i] = coverage[i] > 0 && m >= 0 ? float(program_of_[std::size_t(m)]) : -1.0f;
   });
-  std::fill(program + gbuffer.window.pixels(), program + gbuffer.planes.stride(), -1.0f);
+  std::fill(program + gbuffer.samples(), program + gbuffer.planes.stride(), -1.0f);
 }
 
 /// Replaces base colour, metallic and specular level by what GlossCol and DiffCol tell.
@@ -145,7 +145,7 @@ void Binding::solve_cycles_surfaces(GBuffer& gbuffer, const Camera& camera) cons
   const float* coverage = planes.plane(gbuffer.coverage.first);
   const int gloss = gbuffer.roles.at("glossy_albedo").first, diffuse = gbuffer.roles.at("albedo").first;
   const bool orthographic = camera.projection == Camera::Projection::orthographic;
-  for_pixels(gbuffer.window.pixels(), [&](Pixel i) {
+  for_pixels(gbuffer.samples(), [&](Pixel i) {
     if (coverage[i] <= 0) return;
     const auto three = [&](int plane) {
       return std::array<double, 3>{planes.plane(plane)[i], planes.plane(plane + 1)[i], planes.plane(plane + 2)[i]};
@@ -192,7 +192,7 @@ void Binding::bind(GBuffer& gbuffer, const Camera& camera, Frame& frame) const {
         continue;
       }
     const int first = gbuffer.planes.add(parameter.components);
-    for_pixels(gbuffer.window.pixels(), [&](Pixel i) {
+    for_pixels(gbuffer.samples(), [&](Pixel i) {
       const int m = material[std::size_t(i)];
       if (m < 0) return;
       for (int c = 0; c < parameter.components; ++c) gbuffer.planes.plane(first + c)[i] = readers[std::size_t(m)].value(i, c);
@@ -205,7 +205,7 @@ void Binding::bind(GBuffer& gbuffer, const Camera& camera, Frame& frame) const {
     frame.field[FIELD_facing] = constants.place({double(materials_[0].facing)});
   } else {
     const int plane = gbuffer.planes.add();
-    for_pixels(gbuffer.window.pixels(), [&](Pixel i) {
+    for_pixels(gbuffer.samples(), [&](Pixel i) {
       const int m = material[std::size_t(i)];
       gbuffer.planes.plane(plane)[i] = m < 0 ? 0.0f : float(materials_[std::size_t(m)].facing);
     });
@@ -216,9 +216,9 @@ void Binding::bind(GBuffer& gbuffer, const Camera& camera, Frame& frame) const {
 }
 
 void Binding::bind_irradiance(GBuffer& gbuffer, Frame& frame) const {
-  fill_program_plane(gbuffer, std::vector<int>(std::size_t(gbuffer.window.pixels()), 0), frame);
+  fill_program_plane(gbuffer, std::vector<int>(std::size_t(gbuffer.samples()), 0), frame);
   float* program = gbuffer.planes.plane(frame.program_plane);
-  for_pixels(gbuffer.window.pixels(), [&](Pixel i) { program[i] = std::min(program[i], 0.0f); });
+  for_pixels(gbuffer.samples(), [&](Pixel i) { program[i] = std::min(program[i], 0.0f); });
   Constants constants(gbuffer.planes);
   for (const Parameter& parameter : parameters()) frame.field[parameter.field] = constants.place({parameter.fallback});
   frame.field[FIELD_albedo] = constants.place({std::numbers::pi});

@@ -64,6 +64,8 @@ class Relight {
   glm::dvec3 mean_irradiance();
   int band_rows(const Window& window) const;
   GBuffer read_band(const Window& window, int first_row, int rows);
+  Mixtures mixtures_of(const Window& band);
+  void fold_surfaces(const GBuffer& gbuffer, Planes& out) const;
   void keep_for_png(const Planes& out, const Window& band, Picture& picture) const;
 
   void note(const std::string& text) { summary_.notes.push_back(text); }
@@ -85,6 +87,7 @@ class Relight {
   std::unique_ptr<Device> device_;
   Window window_;
   glm::dvec3 ambient_{0};
+  std::int64_t suspects_ = 0, explained_ = 0;
 };
 
 /// What can be refused before any work.
@@ -166,12 +169,26 @@ int Relight::band_rows(const Window& window) const {
 /// Rows of a window, as many as it still has.
 GBuffer Relight::read_band(const Window& window, int first_row, int rows) {
   const Window band{window.min_x, first_row, window.max_x, std::min(first_row + rows, window.max_y)};
-  return read_gbuffer(file_, reading_, band, roles_, binding_->spare_planes());
+  return read_gbuffer(file_, reading_, band, roles_, binding_->spare_planes(), mixtures_of(band));
+}
+
+Mixtures Relight::mixtures_of(const Window& band) {
+  Mixtures mixtures = find_mixtures(file_, reading_, band, roles_);
+  suspects_ += mixtures.suspects;
+  explained_ += mixtures.explained;
+  return mixtures;
+}
+
+/// A mixed pixel shows the light of all its surfaces, each weighted by its coverage already.
+void Relight::fold_surfaces(const GBuffer& gbuffer, Planes& out) const {
+  const std::size_t pixels = std::size_t(gbuffer.window.pixels());
+  for (int p = 0; p < layout_.planes(); ++p)
+    for (std::size_t k = 0; k < gbuffer.homes.size(); ++k) out.plane(p)[gbuffer.homes[k]] += out.plane(p)[pixels + k];
 }
 
 Frame Relight::frame_of(const GBuffer& gbuffer, const Planes& out) const {
   Frame frame{};
-  frame.pixels = int(gbuffer.window.pixels());
+  frame.pixels = int(gbuffer.samples());
   frame.plane_stride = int(gbuffer.planes.stride());
   frame.position = gbuffer.position.first;
   frame.normal = gbuffer.normal.first;
@@ -234,9 +251,9 @@ void Relight::shade_lights(Band& band, Frame frame) {
 /// The input's own alpha where it has one that is a number, else the coverage.
 void Relight::write_alpha(const GBuffer& gbuffer, Planes& out) const {
   const auto stored = gbuffer.roles.find("coverage");
-  const PlaneRange from = stored != gbuffer.roles.end() && !gbuffer.fractional_coverage ? stored->second : gbuffer.coverage;
+  const PlaneRange from = stored != gbuffer.roles.end() && !reading_.position_premultiplied ? stored->second : gbuffer.coverage;
   const float *alpha = gbuffer.planes.plane(from.first), *coverage = gbuffer.planes.plane(gbuffer.coverage.first);
-  for (std::int64_t i = 0; i < gbuffer.window.pixels(); ++i) out.plane(OutputLayout::alpha)[i] = std::isfinite(alpha[i]) ? alpha[i] : coverage[i];
+  for (std::int64_t i = 0; i < gbuffer.samples(); ++i) out.plane(OutputLayout::alpha)[i] = std::isfinite(alpha[i]) ? alpha[i] : coverage[i];
 }
 
 /// The frame's mean direct diffuse irradiance: every surface shaded as Lambert with albedo pi. Of the whole frame: a crop looks the same.
@@ -295,10 +312,11 @@ void Relight::shade_and_write() {
     summary_.surface_pixels += gbuffer.surface_pixels;
     summary_.bad_pixels += gbuffer.bad_pixels;
     ++summary_.bands;
-    Planes out(std::size_t(gbuffer.window.pixels()), layout_.planes());
+    Planes out(std::size_t(gbuffer.samples()), layout_.planes());
     out.add(layout_.planes());
     shade_band(gbuffer, out);
     write_alpha(gbuffer, out);
+    fold_surfaces(gbuffer, out);
     std::vector<Source> sources;
     for (int p = 0; p < layout_.planes(); ++p)
       sources.push_back({layout_.channels[std::size_t(p)], out.plane(p), sizeof(float), sizeof(float) * std::size_t(window_.width())});
@@ -309,6 +327,12 @@ void Relight::shade_and_write() {
   }
   if (summary_.bad_pixels)
     note(std::to_string(summary_.bad_pixels) + " pixels have a NaN or infinite position or normal: written as showing no surface");
+  if (suspects_ > 0) {
+    char share[32];
+    std::snprintf(share, sizeof share, "%.1f", 100.0 * double(suspects_) / double(std::max<std::int64_t>(1, summary_.surface_pixels)));
+    note(std::to_string(suspects_) + " of " + std::to_string(summary_.surface_pixels) + " pixels mix surfaces (" + share + " %): " +
+         std::to_string(explained_) + " are shaded as mixtures of their neighbours' surfaces");
+  }
   // The picture first: where it cannot be written, the image is not either.
   if (job_.png) write_png(*job_.png, picture, job_.exposure, job_.format.overwrite);
   writer.commit();

@@ -1,0 +1,157 @@
+// Telling pure pixels from mixed ones.
+#include "gbuffer/filtered_layers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <map>
+
+#include "gbuffer/sample_rows.h"
+
+namespace relume {
+namespace {
+
+constexpr double shows_nothing = 1e-4;   // gaussian tails leak 1e-11 into their surroundings
+constexpr double short_of_one = 0.985;   // the normals of a ball of 20 pixels' radius differ that much within a filter
+constexpr double whole_id = 1e-3;        // relative: what single precision and rounding of weights leave of a whole number
+constexpr double full_coverage = 0.999;  // half precision next to 1
+
+Window grown(const Window& window, const Window& limit, int by) {
+  return {std::max(window.min_x - by, limit.min_x), std::max(window.min_y - by, limit.min_y), std::min(window.max_x + by, limit.max_x),
+          std::min(window.max_y + by, limit.max_y)};
+}
+
+bool whole_number(double id) { return std::abs(id - std::round(id)) <= whole_id * std::max(1.0, std::round(id)); }
+
+/// The matrix that picks and flips components.
+glm::dmat3 matrix_of(const Axes& axes) {
+  glm::dmat3 m(0.0);
+  for (int i = 0; i < 3; ++i) m[axes.from[std::size_t(i)]][i] = axes.sign[std::size_t(i)];
+  return m;
+}
+
+/// Takes stored normals to where stored positions live; what cannot be told is left alone.
+glm::dmat3 normal_to_position(const Reading& reading) {
+  const glm::dmat3 normal = matrix_of(reading.normal_axes), back = glm::transpose(matrix_of(reading.position_axes));
+  if (reading.normal_space == reading.position_space || !reading.camera) return back * normal;
+  glm::dmat3 world_from_layer(reading.camera->world_from_camera);
+  if (reading.camera_z_forward) world_from_layer[2] *= -1.0;
+  return back * (reading.normal_space == Space::camera ? world_from_layer : glm::transpose(world_from_layer)) * normal;
+}
+
+}  // namespace
+
+FilteredLayers::FilteredLayers(const ExrFile& file, const Reading& reading, const Window& window, const std::vector<std::string>& roles)
+    : window_(grown(window, reading.data_window, reach)), turn_(normal_to_position(reading)) {
+  constexpr double of_directions = 0.01, of_numbers = 0.01, of_ids = 0.02, of_alpha = 2e-3, of_places = 1e-3;
+  const bool all = reading.position_premultiplied;
+  add(reading, "normal", true, of_directions);
+  add(reading, "position", all, of_places, true);
+  add(reading, "base_normal", true, of_directions);
+  const bool fractions = reading.roles.contains("ids") && reading.roles.at("ids").types.front() != SampleType::uint32;
+  add(reading, "ids", all && fractions, of_ids);
+  add(reading, "coverage", true, of_alpha);
+  add(reading, "depth", all, of_places, true);
+  for (const std::string& role : roles) add(reading, role, all || reading.colour_premultiplied, of_numbers);
+  position_ = layer("position"), ids_ = layer("ids"), alpha_ = layer("coverage"), depth_ = layer("depth");
+  read(file, reading);
+  const std::size_t pixels = std::size_t(window_.pixels());
+  kinds_.resize(pixels);
+  for (std::size_t i = 0; i < pixels; ++i) kinds_[i] = kind_by_itself(reading, i);
+  if (!all || reading.normal_space == Space::view_ray) return;
+  // A mean of two positions lies on neither surface, though normals and ids may be alike.
+  std::vector<Kind> settled = kinds_;
+  for (int y = window_.min_y; y < window_.max_y; ++y)
+    for (int x = window_.min_x; x < window_.max_x; ++x)
+      if (pure(index(x, y)) && !in_a_block(x, y)) settled[index(x, y)] = Kind::mixed;
+  kinds_ = std::move(settled);
+}
+
+void FilteredLayers::add(const Reading& reading, const std::string& role, bool mean, double resolution, bool relative) {
+  const auto found = reading.roles.find(role);
+  if (found == reading.roles.end() || layer(role)) return;
+  const int count = int(found->second.channels.size());
+  const bool is_signed = role == "normal" || role == "base_normal" || role == "position" || role == "uv";
+  layers_.push_back({role, components_, count, mean, resolution, relative, is_signed});
+  components_ += count;
+}
+
+const FilteredLayers::Layer* FilteredLayers::layer(const std::string& role) const {
+  const auto found = std::find_if(layers_.begin(), layers_.end(), [&](const Layer& l) { return l.role == role; });
+  return found == layers_.end() ? nullptr : &*found;
+}
+
+void FilteredLayers::read(const ExrFile& file, const Reading& reading) {
+  const std::size_t step = sizeof(float) * std::size_t(components_);
+  values_.resize(std::size_t(window_.pixels()) * std::size_t(components_));
+  std::map<int, std::vector<Destination>> by_part;
+  for (const Layer& layer : layers_) {
+    const RoleLayer& from = reading.roles.at(layer.role);
+    for (int c = 0; c < layer.count; ++c)
+      by_part[from.part].push_back({from.channels[std::size_t(c)], SampleType::float32, values_.data() + layer.first + c, step,
+                                    step * std::size_t(window_.width())});
+  }
+  for (const auto& [part, destinations] : by_part) file.read(part, window_, destinations);
+  if (reading.normal_encoding == NormalEncoding::as_signed) return;
+  for (const Layer& layer : layers_)
+    if (layer.role == "normal" || layer.role == "base_normal")
+      for (std::size_t i = 0; i < std::size_t(window_.pixels()); ++i)
+        for (int c = 0; c < 3; ++c) {
+          float& v = values_[i * std::size_t(components_) + std::size_t(layer.first + c)];
+          v = v == 0 ? 0 : 2 * v - 1;
+        }
+}
+
+glm::dvec3 FilteredLayers::vector(const Layer& layer, std::size_t i) const {
+  const float* const v = value(i) + layer.first;
+  return {v[0], v[1], v[2]};
+}
+
+FilteredLayers::Kind FilteredLayers::kind_by_itself(const Reading& reading, std::size_t i) const {
+  const float* const v = value(i);
+  if (!std::all_of(v, v + components_, [](float x) { return std::isfinite(x); })) return Kind::broken;
+  const double length = glm::length(vector(layers_[0], i));
+  const bool unit = std::abs(length - 1) < 1 - short_of_one;
+  const bool far = depth_ && !(std::abs(v[depth_->first]) < reading.background_depth);
+  if (length < shows_nothing || (far && unit)) return Kind::empty;
+  const double alpha = alpha_ ? v[alpha_->first] : 1;
+  const bool partial = alpha > shows_nothing && alpha < full_coverage;
+  const bool fraction = ids_ && ids_->mean && !whole_number(v[ids_->first]);
+  return unit && !partial && !fraction ? Kind::pure : Kind::mixed;
+}
+
+/// The chord between two points of a smooth surface is perpendicular to the sum of their normals (exactly so on a ball).
+bool FilteredLayers::one_surface(std::size_t a, std::size_t b) const {
+  if (ids_ && std::abs(value(a)[ids_->first] - value(b)[ids_->first]) > 0.5) return false;
+  constexpr double alike = 0.5;                      // cosine: less is a crease
+  constexpr double steepest = 0.25, rounding = 1e-3;  // facets under smooth normals lean that much; half precision, of the position
+  const glm::dvec3 na = normal_beside_position(a), nb = normal_beside_position(b);
+  if (!(glm::dot(na, nb) > alike)) return false;
+  if (!position_) return true;
+  const glm::dvec3 pa = vector(*position_, a), chord = vector(*position_, b) - pa;
+  return std::abs(glm::dot(chord, glm::normalize(na + nb))) <= steepest * glm::length(chord) + rounding * glm::length(pa);
+}
+
+/// Some 2x2 block with it is one surface. Mixed pixels in a row along an edge resemble each other, but not across it.
+bool FilteredLayers::in_a_block(int x, int y) const {
+  for (const int dy : {-1, 1})
+    for (const int dx : {-1, 1}) {
+      if (!inside(x + dx, y + dy)) continue;
+      const std::size_t self = index(x, y), a = index(x + dx, y), b = index(x, y + dy), c = index(x + dx, y + dy);
+      if (pure(a) && pure(b) && pure(c) && one_surface(self, a) && one_surface(self, b) && one_surface(a, c) && one_surface(b, c)) return true;
+    }
+  return false;
+}
+
+bool looks_filtered(const ExrFile& file, const Reading& reading) {
+  for (const SampledBand& band : sample_rows(file, reading, {"normal", "ids"}))
+    for (std::int64_t i = 0; i < band.window.pixels(); ++i) {
+      const double length = glm::length(decoded_normal(reading, band.vector("normal", i)));
+      if (length > shows_nothing && length < short_of_one) return true;
+      if (band.has("ids") && !whole_number(band.value("ids", i))) return true;
+    }
+  return false;
+}
+
+}  // namespace relume

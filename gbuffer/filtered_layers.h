@@ -1,0 +1,66 @@
+// Layers whose pixels are means over several samples, over a window and its surroundings: which pixels show one surface alone, and which are one.
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "gbuffer/reading.h"
+
+namespace relume {
+
+class FilteredLayers {
+ public:
+  /// Pixels that are looked at around one: filters reach 2 pixels, and a surface shows its slope within 2 more.
+  static constexpr int reach = 4;
+
+  struct Layer {
+    std::string role;
+    int first, count;   ///< components: value(i)[first] ...
+    bool mean;          ///< over the pixel, misses counting as 0; else what the pixel's centre shows
+    double resolution;  ///< differences below it are noise
+    bool relative;      ///< and it is a share of the value
+    bool is_signed;     ///< else below 0 is impossible
+  };
+
+  FilteredLayers(const ExrFile& file, const Reading& reading, const Window& window, const std::vector<std::string>& roles);
+  FilteredLayers(const FilteredLayers&) = delete;
+
+  const std::vector<Layer>& layers() const { return layers_; }
+  const Layer* layer(const std::string& role) const;
+  int components() const { return components_; }
+  const Window& window() const { return window_; }  ///< the one asked for, and `reach` pixels on each side where there are some
+
+  std::size_t index(int x, int y) const { return std::size_t(y - window_.min_y) * std::size_t(window_.width()) + std::size_t(x - window_.min_x); }
+  bool inside(int x, int y) const { return x >= window_.min_x && x < window_.max_x && y >= window_.min_y && y < window_.max_y; }
+  const float* value(std::size_t i) const { return values_.data() + i * std::size_t(components_); }
+
+  bool empty(std::size_t i) const { return kinds_[i] == Kind::empty; }    ///< no surface
+  bool pure(std::size_t i) const { return kinds_[i] == Kind::pure; }      ///< one surface alone
+  bool mixed(std::size_t i) const { return kinds_[i] == Kind::mixed; }    ///< a mean of several, or of one and nothing
+  bool one_surface(std::size_t a, std::size_t b) const;                   ///< two neighbours that are pure: of the same surface
+
+ private:
+  enum class Kind : char { empty, broken, pure, mixed };
+
+  void add(const Reading& reading, const std::string& role, bool mean, double resolution, bool relative = false);
+  void read(const ExrFile& file, const Reading& reading);
+  Kind kind_by_itself(const Reading& reading, std::size_t i) const;
+  bool in_a_block(int x, int y) const;
+  glm::dvec3 vector(const Layer& layer, std::size_t i) const;
+  glm::dvec3 normal_beside_position(std::size_t i) const { return turn_ * vector(layers_[0], i); }
+
+  Window window_;
+  std::vector<Layer> layers_;  ///< the normal is the first
+  const Layer *position_ = nullptr, *ids_ = nullptr, *alpha_ = nullptr, *depth_ = nullptr;
+  int components_ = 0;
+  std::vector<float> values_;
+  std::vector<Kind> kinds_;
+  glm::dmat3 turn_{1.0};  ///< from the normal's stored components to the position's space
+};
+
+/// Whether pixels are means: normals shorter than 1 and fractions of ids only come from averaging. Looks at a few bands of rows.
+bool looks_filtered(const ExrFile& file, const Reading& reading);
+
+}  // namespace relume

@@ -1,0 +1,182 @@
+// A mixed pixel x is modelled as x = sum of w_k s_k: surfaces s_k as their pure neighbours tell, with a variance that says how well; weights w_k by
+// least squares; then the s_k are corrected so that they do make up x (the posterior mean of a linear observation of Gaussians).
+#include "gbuffer/mixtures.h"
+
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "gbuffer/surroundings.h"
+
+namespace relume {
+namespace {
+
+using Eigen::ArrayXd, Eigen::MatrixXd, Eigen::VectorXd;
+
+/// What is asked of the weights: rows of A w = b, each divided by its standard deviation.
+struct Equations {
+  MatrixXd a;
+  VectorXd b;
+};
+
+struct Weights {
+  VectorXd w;
+  double cost = 1e300;
+};
+
+Equations equations_of(const FilteredLayers& layers, const Surroundings& near, const ArrayXd& x) {
+  const int count = int(near.surfaces.size());
+  Equations e{MatrixXd::Zero(layers.components(), count), VectorXd::Zero(layers.components())};
+  for (const auto& layer : layers.layers()) {
+    if (!layer.mean || (layer.role == "coverage" && !near.alpha_tells)) continue;
+    for (int d = layer.first; d < layer.first + layer.count; ++d) {
+      double variance = 0;
+      for (const Surface& s : near.surfaces) variance = std::max(variance, s.variance[d]);
+      const double scale = 1 / std::sqrt(variance);
+      for (int k = 0; k < count; ++k) e.a(d, k) = scale * near.surfaces[std::size_t(k)].value[d];
+      e.b[d] = scale * x[d];
+    }
+  }
+  return e;
+}
+
+/// Least squares over the surfaces of a subset; with `whole` their weights add up to 1.
+Weights solve(const Equations& e, unsigned subset, bool whole) {
+  constexpr double strict = 1e6;  // stands for an equation without error
+  const int count = int(e.a.cols());
+  MatrixXd normal = MatrixXd::Identity(count, count);
+  VectorXd right = VectorXd::Zero(count);
+  for (int i = 0; i < count; ++i) {
+    if (!(subset >> i & 1)) continue;
+    right[i] = e.a.col(i).dot(e.b) + (whole ? strict : 0);
+    for (int j = 0; j < count; ++j)
+      if (subset >> j & 1) normal(i, j) = e.a.col(i).dot(e.a.col(j)) + (whole ? strict : 0) + (i == j ? 1e-6 : 0);
+  }
+  Weights result{normal.ldlt().solve(right), 0};
+  constexpr double per_surface = 2;  // Akaike: a surface must explain more than a free number does by chance
+  result.cost = (e.a * result.w - e.b).squaredNorm() + per_surface * __builtin_popcount(subset);
+  return result;
+}
+
+Weights best_weights(const Equations& e, bool background) {
+  Weights best;
+  for (unsigned subset = 1; subset < 1u << e.a.cols(); ++subset)
+    for (const bool whole : {true, false}) {
+      if (!whole && !background) continue;
+      const Weights found = solve(e, subset, whole);
+      if (found.w.minCoeff() < 0 || found.w.sum() > 1.001 || !(found.cost < best.cost)) continue;
+      best = found;
+    }
+  return best;
+}
+
+/// Corrects the surfaces so that the weights make the pixel of them; what is no mean goes to the surface that it fits.
+void correct(const FilteredLayers& layers, const VectorXd& w, const ArrayXd& x, std::vector<Surface>& surfaces) {
+  for (const auto& layer : layers.layers()) {
+    if (!layer.mean) continue;
+    for (int d = layer.first; d < layer.first + layer.count; ++d) {
+      double residual = x[d], variance = 0;
+      for (int k = 0; k < w.size(); ++k) {
+        residual -= w[k] * surfaces[std::size_t(k)].value[d];
+        variance += w[k] * w[k] * surfaces[std::size_t(k)].variance[d];
+      }
+      for (int k = 0; k < w.size(); ++k)
+        if (variance > 0) surfaces[std::size_t(k)].value[d] += surfaces[std::size_t(k)].variance[d] * w[k] / variance * residual;
+    }
+  }
+}
+
+void take_centre(const FilteredLayers& layers, const VectorXd& w, const ArrayXd& x, std::vector<Surface>& surfaces) {
+  const auto* position = layers.layer("position");
+  if (!position || position->mean) return;
+  constexpr double fits = 25;  // five standard deviations
+  double best = fits;
+  Surface* owner = nullptr;
+  for (int k = 0; k < w.size(); ++k) {
+    Surface& s = surfaces[std::size_t(k)];
+    const auto away = (x - s.value).square() / s.variance;
+    const double mean = away.segment(position->first, 3).mean();
+    if (w[k] > 0 && mean < best) best = mean, owner = &s;
+  }
+  if (!owner) return;
+  for (const auto& layer : layers.layers())
+    if (!layer.mean) owner->value.segment(layer.first, layer.count) = x.segment(layer.first, layer.count);
+}
+
+struct Share {
+  double weight;
+  Surface surface;
+};
+
+constexpr double negligible = 0.01;  // of a pixel
+
+/// Empty: not a mixture, or none that the neighbours explain.
+std::vector<Share> explain(const FilteredLayers& layers, bool divided_anyway, int px, int py) {
+  Surroundings near = surroundings(layers, px, py);
+  if (near.surfaces.empty()) return {};
+  const ArrayXd x = Eigen::Map<const Eigen::ArrayXf>(layers.value(layers.index(px, py)), layers.components()).cast<double>();
+  const Equations e = equations_of(layers, near, x);
+  const Weights found = best_weights(e, near.background);
+  constexpr double too_far = 16;  // mean square, in standard deviations
+  if (!(found.cost < too_far * double(layers.components()))) return {};
+  correct(layers, found.w, x, near.surfaces);
+  take_centre(layers, found.w, x, near.surfaces);
+  std::vector<Share> shares;
+  double kept = 0;
+  for (int k = 0; k < found.w.size(); ++k)
+    if (found.w[k] > negligible) shares.push_back({found.w[k], near.surfaces[std::size_t(k)]}), kept += found.w[k];
+  if (shares.empty() || (shares.size() == 1 && (divided_anyway || kept > 1 - negligible))) return {};
+  for (Share& s : shares) s.weight *= found.w.sum() / kept;
+  std::stable_sort(shares.begin(), shares.end(), [](const Share& a, const Share& b) { return a.weight > b.weight; });
+  return shares;
+}
+
+void append(const FilteredLayers& layers, std::int64_t pixel, const std::vector<Share>& shares, Mixtures& to) {
+  if (shares.empty()) return;
+  ++to.explained;
+  for (const Share& s : shares) {
+    to.samples.push_back({pixel, float(s.weight), s.surface.id});
+    for (const auto& layer : layers.layers())
+      for (int d = layer.first; d < layer.first + layer.count; ++d) {
+        const double v = s.surface.value[d];
+        to.values.push_back(layer.is_signed ? float(v) : float(std::max(0.0, v)));
+      }
+  }
+}
+
+void append(const Mixtures& row, Mixtures& to) {
+  to.samples.insert(to.samples.end(), row.samples.begin(), row.samples.end());
+  to.values.insert(to.values.end(), row.values.begin(), row.values.end());
+  to.suspects += row.suspects;
+  to.explained += row.explained;
+}
+
+}  // namespace
+
+Mixtures find_mixtures(const ExrFile& file, const Reading& reading, const Window& window, const std::vector<std::string>& roles) {
+  if (!reading.filtered || !reading.roles.contains("position") || !reading.roles.contains("normal")) return {};
+  const FilteredLayers layers(file, reading, window, roles);
+  std::vector<Mixtures> rows(std::size_t(window.height()));
+  tbb::parallel_for(window.min_y, window.max_y, [&](int y) {
+    Mixtures& row = rows[std::size_t(y - window.min_y)];
+    for (int x = window.min_x; x < window.max_x; ++x) {
+      if (!layers.mixed(layers.index(x, y))) continue;
+      ++row.suspects;
+      const std::int64_t pixel = std::int64_t(y - window.min_y) * window.width() + (x - window.min_x);
+      append(layers, pixel, explain(layers, reading.position_premultiplied, x, y), row);
+    }
+  });
+  Mixtures all;
+  for (const auto& layer : layers.layers()) {
+    all.roles.push_back(layer.role);
+    all.firsts.push_back(layer.first);
+  }
+  all.components = layers.components();
+  for (const Mixtures& row : rows) append(row, all);
+  return all;
+}
+
+}  // namespace relume
