@@ -15,8 +15,8 @@ namespace relume {
 namespace {
 
 struct ShadeArguments {
-  std::string gbuffer, output, materials, png, layers, crop, diffuse = "auto", specular = "auto", device, compression = "zip", units, up, range,
-                                                             scale = "auto", memory = "2G";
+  std::string gbuffer, output, materials, png, layers, crop, diffuse = "auto", specular = "auto", edges = "mend", device, compression = "zip", units,
+                                                             up, range, scale = "auto", memory = "2G";
   std::vector<std::string> rigs, set;
   double exposure = 0;
   bool half = false, full = false, overwrite = false, quiet = false, json = false;
@@ -90,6 +90,7 @@ RelightJob job_of(const ShadeArguments& a) {
   if (!a.materials.empty()) job.materials = a.materials;
   choose_layers(a.layers, job);
   if (!a.crop.empty()) job.crop = window_of(a.crop);
+  job.mend_edges = a.edges == "mend";
   job.format = {a.half ? SampleType::half_float : SampleType::float32, a.compression, a.overwrite};
   if (!a.png.empty()) job.png = a.png;
   job.exposure = a.exposure;
@@ -149,6 +150,11 @@ void add_shade(CLI::App& command, Action& action) {
   command.add_option("--materials", a->materials, "a material file: lobes and constants for each object id");
   command.add_option("--layers", a->layers, "what to write beside the total: diffuse,specular,ambient,lights; their sum is the total");
   command.add_option("--crop", a->crop, "X0,Y0,X1,Y1: shade this window only (X1, Y1: one past the last)");
+  command
+      .add_option("--edges", a->edges,
+                  "pixels that mix surfaces: mend shades each surface by itself; as-stored shades the stored means, undivided by coverage")
+      ->check(CLI::IsMember({"mend", "as-stored"}))
+      ->capture_default_str();
   a->reading.add_to(command);
   const char* rig = "What a glTF rig does not say";
   command.add_option("--rig-units", a->units, "units of Blender's exporter")->check(CLI::IsMember({"spec", "compat", "raw"}))->group(rig);

@@ -78,7 +78,10 @@ void settle_ids(const ExrFile& file, const Reading& reading, const Window& windo
   if (loose.float_ids.empty() || !loose.ids.empty()) return;
   const auto whole = [](float id) { return id >= 0 && id < 4294967040.0f && id == std::floor(id); };
   if (!std::all_of(loose.float_ids.begin(), loose.float_ids.end(), whole)) {
-    loose.ids = mend_edges(file, reading, window).ids;
+    Edges edges = mend_edges(file, reading, window);
+    loose.ids = std::move(edges.ids);
+    if (loose.coverage.empty())  // what a filter's tail leaks into has no id
+      for (const float coverage : edges.coverage) loose.coverage.push_back(coverage > 0 ? 1.0f : 0.0f);
     return;
   }
   loose.ids.assign(loose.float_ids.begin(), loose.float_ids.end());

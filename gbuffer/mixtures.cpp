@@ -113,8 +113,8 @@ struct Share {
 
 constexpr double negligible = 0.01;  // of a pixel
 
-/// Empty: not a mixture, or none that the neighbours explain.
-std::vector<Share> explain(const FilteredLayers& layers, bool divided_anyway, int px, int py) {
+/// The largest first. Empty: the neighbours do not explain the pixel.
+std::vector<Share> shares_of(const FilteredLayers& layers, int px, int py) {
   Surroundings near = surroundings(layers, px, py);
   if (near.surfaces.empty()) return {};
   const ArrayXd x = Eigen::Map<const Eigen::ArrayXf>(layers.value(layers.index(px, py)), layers.components()).cast<double>();
@@ -128,30 +128,37 @@ std::vector<Share> explain(const FilteredLayers& layers, bool divided_anyway, in
   double kept = 0;
   for (int k = 0; k < found.w.size(); ++k)
     if (found.w[k] > negligible) shares.push_back({found.w[k], near.surfaces[std::size_t(k)]}), kept += found.w[k];
-  if (shares.empty() || (shares.size() == 1 && (divided_anyway || kept > 1 - negligible))) return {};
   for (Share& s : shares) s.weight *= found.w.sum() / kept;
   std::stable_sort(shares.begin(), shares.end(), [](const Share& a, const Share& b) { return a.weight > b.weight; });
   return shares;
 }
 
-void append(const FilteredLayers& layers, std::int64_t pixel, const std::vector<Share>& shares, Mixtures& to) {
+void append(const FilteredLayers& layers, std::int64_t pixel, const Share& share, Mixtures& to) {
+  to.samples.push_back({pixel, float(share.weight), share.surface.id});
+  for (const auto& layer : layers.layers())
+    for (int d = layer.first; d < layer.first + layer.count; ++d) {
+      const double value = share.surface.value[d];
+      to.values.push_back(float(layer.is_signed ? value : std::max(0.0, value)));
+    }
+}
+
+/// A surface alone needs no taking apart where all layers are divided by coverage anyway, or it covers the pixel.
+void explain(const FilteredLayers& layers, bool divided_anyway, int x, int y, std::int64_t pixel, Mixtures& to) {
+  ++to.mixed;
+  const std::vector<Share> shares = shares_of(layers, x, y);
   if (shares.empty()) return;
-  ++to.explained;
-  for (const Share& s : shares) {
-    to.samples.push_back({pixel, float(s.weight), s.surface.id});
-    for (const auto& layer : layers.layers())
-      for (int d = layer.first; d < layer.first + layer.count; ++d) {
-        const double v = s.surface.value[d];
-        to.values.push_back(layer.is_signed ? float(v) : float(std::max(0.0, v)));
-      }
-  }
+  if (shares.size() == 1) ++to.alone;
+  if (shares.size() == 1 && (divided_anyway || shares[0].weight > 1 - negligible)) return;
+  ++to.apart;
+  for (const Share& share : shares) append(layers, pixel, share, to);
 }
 
 void append(const Mixtures& row, Mixtures& to) {
   to.samples.insert(to.samples.end(), row.samples.begin(), row.samples.end());
   to.values.insert(to.values.end(), row.values.begin(), row.values.end());
-  to.suspects += row.suspects;
-  to.explained += row.explained;
+  to.mixed += row.mixed;
+  to.apart += row.apart;
+  to.alone += row.alone;
 }
 
 }  // namespace
@@ -164,9 +171,8 @@ Mixtures find_mixtures(const ExrFile& file, const Reading& reading, const Window
     Mixtures& row = rows[std::size_t(y - window.min_y)];
     for (int x = window.min_x; x < window.max_x; ++x) {
       if (!layers.mixed(layers.index(x, y))) continue;
-      ++row.suspects;
       const std::int64_t pixel = std::int64_t(y - window.min_y) * window.width() + (x - window.min_x);
-      append(layers, pixel, explain(layers, reading.position_premultiplied, x, y), row);
+      explain(layers, reading.position_premultiplied, x, y, pixel, row);
     }
   });
   Mixtures all;

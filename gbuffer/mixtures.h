@@ -22,10 +22,12 @@ struct Mixtures {
   std::vector<int> firsts;         ///< of each role: its first component
   int components = 0;              ///< values of a sample
   std::vector<float> values;       ///< of each sample: layers as stored, but of the one surface alone, as if it covered the pixel
-  std::int64_t suspects = 0;       ///< pixels that are means of something
-  std::int64_t explained = 0;      ///< pixels that the samples stand for
+  std::int64_t mixed = 0;          ///< pixels that are means of something
+  std::int64_t apart = 0;          ///< those that the samples stand for
+  std::int64_t alone = 0;          ///< those with one surface, and nothing or background beside it
+  static constexpr int most_surfaces = 3;  ///< of a pixel: where three objects meet; a fourth would explain anything
 
-  std::int64_t extras() const { return std::int64_t(samples.size()) - explained; }  ///< samples beside each pixel's first
+  std::int64_t extras() const { return std::int64_t(samples.size()) - apart; }  ///< samples beside each pixel's first
 };
 
 /// Explains pixels by the surfaces that the pixels around them show. Bands agree with the whole.

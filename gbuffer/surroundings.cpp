@@ -7,12 +7,13 @@
 #include <array>
 #include <cmath>
 
+#include "gbuffer/mixtures.h"
+
 namespace relume {
 namespace {
 
 using Eigen::ArrayXd;
 constexpr int reach = FilteredLayers::reach, side = 2 * reach + 1;
-constexpr std::size_t most_surfaces = 3;   // where three objects meet; a fourth would fit anything
 constexpr std::size_t fewest_pixels = 3;   // that determine a plane
 
 struct Member {
@@ -37,7 +38,7 @@ class Flood {
         if (takes(x, y)) found.push_back(from(x, y));
     std::erase_if(found, [](const Group& g) { return g.members.size() < fewest_pixels; });
     std::stable_sort(found.begin(), found.end(), [](const Group& a, const Group& b) { return a.nearest < b.nearest; });
-    if (found.size() > most_surfaces) found.resize(most_surfaces);
+    if (found.size() > Mixtures::most_surfaces) found.resize(Mixtures::most_surfaces);
     return found;
   }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include "gbuffer/convention.h"
@@ -63,8 +64,8 @@ class Relight {
   Frame frame_of(const GBuffer& gbuffer, const Planes& out) const;
   glm::dvec3 mean_irradiance();
   int band_rows(const Window& window) const;
-  GBuffer read_band(const Window& window, int first_row, int rows);
-  Mixtures mixtures_of(const Window& band);
+  GBuffer read_band(const Window& band);
+  void note_mixed_pixels();
   void fold_surfaces(const GBuffer& gbuffer, Planes& out) const;
   void keep_for_png(const Planes& out, const Window& band, Picture& picture) const;
 
@@ -87,7 +88,7 @@ class Relight {
   std::unique_ptr<Device> device_;
   Window window_;
   glm::dvec3 ambient_{0};
-  std::int64_t suspects_ = 0, explained_ = 0;
+  std::int64_t mixed_ = 0, apart_ = 0, alone_ = 0;  ///< as in Mixtures
 };
 
 /// What can be refused before any work.
@@ -107,6 +108,7 @@ void Relight::understand_all() {
   for (const auto& path : job_.rigs) rigs.push_back(read_rig(path, rig_options));
   reading_ = understand_with_rigs(file_, options, rigs);
   rig_ = merge(std::move(rigs));
+  if (!job_.mend_edges) reading_.filtered = reading_.position_premultiplied = false;
   std::optional<MaterialFile> materials;
   if (job_.materials) materials = read_materials(*job_.materials);
   binding_.emplace(
@@ -154,11 +156,12 @@ void Relight::open() {
 /// Rows of a band: planes in and out within the memory given, and each buffer within what the device takes.
 int Relight::band_rows(const Window& window) const {
   const std::int64_t in = 3 + 3 + 3 + 1 + 1 + 3 * std::int64_t(roles_.size()) + binding_->spare_planes(), out = layout_.planes();
-  const std::int64_t largest = std::max(in, out), row = window.width() * std::int64_t(sizeof(float));
+  const int samples = reading_.filtered ? Mixtures::most_surfaces : 1;
+  const std::int64_t largest = std::max(in, out), row = window.width() * std::int64_t(sizeof(float)) * samples;
   const std::int64_t by_memory = job_.memory / ((in + out) * row),
                      by_device = std::int64_t(device_->info().max_allocation / std::uint64_t(largest * row));
   // Offsets into the planes are 32-bit ints.
-  const std::int64_t by_index = ((std::int64_t(1) << 31) / largest - std::int64_t(Planes::granule)) / window.width();
+  const std::int64_t by_index = ((std::int64_t(1) << 31) / largest - std::int64_t(Planes::granule)) / (window.width() * samples);
   const std::int64_t rows = std::min({by_memory, by_device, by_index, std::int64_t(window.height())});
   if (rows < 1)
     throw Error(ErrorKind::memory, job_.gbuffer.string() + ": one row needs " + std::to_string((in + out) * row) +
@@ -167,16 +170,14 @@ int Relight::band_rows(const Window& window) const {
 }
 
 /// Rows of a window, as many as it still has.
-GBuffer Relight::read_band(const Window& window, int first_row, int rows) {
-  const Window band{window.min_x, first_row, window.max_x, std::min(first_row + rows, window.max_y)};
-  return read_gbuffer(file_, reading_, band, roles_, binding_->spare_planes(), mixtures_of(band));
-}
+Window rows_of(const Window& window, int first, int count) { return {window.min_x, first, window.max_x, std::min(first + count, window.max_y)}; }
 
-Mixtures Relight::mixtures_of(const Window& band) {
-  Mixtures mixtures = find_mixtures(file_, reading_, band, roles_);
-  suspects_ += mixtures.suspects;
-  explained_ += mixtures.explained;
-  return mixtures;
+GBuffer Relight::read_band(const Window& band) {
+  const Mixtures mixtures = find_mixtures(file_, reading_, band, roles_);
+  mixed_ += mixtures.mixed;
+  apart_ += mixtures.apart;
+  alone_ += mixtures.alone;
+  return read_gbuffer(file_, reading_, band, roles_, binding_->spare_planes(), mixtures);
 }
 
 /// A mixed pixel shows the light of all its surfaces, each weighted by its coverage already.
@@ -263,7 +264,7 @@ glm::dvec3 Relight::mean_irradiance() {
   const Window& whole = reading_.data_window;
   const int rows = band_rows(whole);
   for (int row = whole.min_y; row < whole.max_y; row += rows) {
-    GBuffer gbuffer = read_band(whole, row, rows);
+    GBuffer gbuffer = read_gbuffer(file_, reading_, rows_of(whole, row, rows), roles_, binding_->spare_planes());
     Planes out(std::size_t(gbuffer.window.pixels()), 3);
     out.add(3);
     Frame frame = frame_of(gbuffer, out);
@@ -296,6 +297,14 @@ std::vector<std::pair<std::string, std::string>> Relight::metadata() const {
   return texts;
 }
 
+void Relight::note_mixed_pixels() {
+  char share[32];
+  std::snprintf(share, sizeof share, "%.1f %%", 100.0 * double(mixed_) / double(std::max<std::int64_t>(1, summary_.surface_pixels)));
+  note(std::to_string(mixed_) + " of " + std::to_string(summary_.surface_pixels) + " pixels are means (" + share + "): " + std::to_string(apart_) +
+       " shaded surface by surface, " + std::to_string(alone_) + " with one surface, " + std::to_string(mixed_ - apart_ - alone_) +
+       " unexplained and shaded as the mean (--edges as-stored shades all so)");
+}
+
 void Relight::shade_and_write() {
   ambient_ = lights_.ambient;
   if (lights_.ambient_fraction != 0) ambient_ += lights_.ambient_fraction / std::numbers::pi * mean_irradiance();
@@ -307,7 +316,7 @@ void Relight::shade_and_write() {
   watch_.lap("prepare");
   for (int row = window_.min_y; row < window_.max_y; row += rows) {
     progress("read", double(row - window_.min_y) / window_.height());
-    GBuffer gbuffer = read_band(window_, row, rows);
+    GBuffer gbuffer = read_band(rows_of(window_, row, rows));
     watch_.lap("read");
     summary_.surface_pixels += gbuffer.surface_pixels;
     summary_.bad_pixels += gbuffer.bad_pixels;
@@ -327,12 +336,7 @@ void Relight::shade_and_write() {
   }
   if (summary_.bad_pixels)
     note(std::to_string(summary_.bad_pixels) + " pixels have a NaN or infinite position or normal: written as showing no surface");
-  if (suspects_ > 0) {
-    char share[32];
-    std::snprintf(share, sizeof share, "%.1f", 100.0 * double(suspects_) / double(std::max<std::int64_t>(1, summary_.surface_pixels)));
-    note(std::to_string(suspects_) + " of " + std::to_string(summary_.surface_pixels) + " pixels mix surfaces (" + share + " %): " +
-         std::to_string(explained_) + " are shaded as mixtures of their neighbours' surfaces");
-  }
+  if (mixed_ > 0) note_mixed_pixels();
   // The picture first: where it cannot be written, the image is not either.
   if (job_.png) write_png(*job_.png, picture, job_.exposure, job_.format.overwrite);
   writer.commit();

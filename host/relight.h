@@ -27,6 +27,7 @@ struct RelightJob {
   bool diffuse_layer = false, specular_layer = false, ambient_layer = false, light_layers = false;
   std::optional<Window> crop;  ///< display-window coordinates
   OutputFormat format;
+  bool mend_edges = true;  ///< pixels that mix surfaces are shaded surface by surface; else the stored means are shaded as they are
   std::optional<std::filesystem::path> png;
   double exposure = 0;                          ///< stops, of the PNG alone
   std::string device;                           ///< empty: the best, falling back to the twin with a note
