@@ -12,6 +12,7 @@
 namespace relume {
 namespace {
 
+constexpr int filter_radius = 2;         // pixels: the widest that renderers ship as a default
 constexpr double shows_nothing = 1e-4;   // gaussian tails leak 1e-11 into their surroundings
 constexpr double short_of_one = 0.985;   // the normals of a ball of 20 pixels' radius differ that much within a filter
 constexpr double whole_id = 1e-3;        // relative: what single precision and rounding of weights leave of a whole number
@@ -43,32 +44,49 @@ glm::dmat3 normal_to_position(const Reading& reading) {
 }  // namespace
 
 FilteredLayers::FilteredLayers(const ExrFile& file, const Reading& reading, const Window& window, const std::vector<std::string>& roles)
-    : window_(grown(window, reading.data_window, reach)), turn_(normal_to_position(reading)) {
+    : window_(grown(window, reading.data_window, reach + filter_radius)), turn_(normal_to_position(reading)) {
   constexpr double of_directions = 0.01, of_numbers = 0.01, of_ids = 0.02, of_alpha = 2e-3, of_places = 1e-3;
   const bool all = reading.position_premultiplied;
-  add(reading, "normal", true, of_directions);
-  add(reading, "position", all, of_places, true);
-  add(reading, "base_normal", true, of_directions);
+  const Mean directions = reading.mean_over_hits ? Mean::direction : Mean::over_pixel;
+  const Mean places = all ? Mean::over_pixel : reading.mean_over_hits ? Mean::over_hits : Mean::none;
   const bool fractions = reading.roles.contains("ids") && reading.roles.at("ids").types.front() != SampleType::uint32;
-  add(reading, "ids", all && fractions, of_ids);
-  add(reading, "coverage", true, of_alpha);
-  add(reading, "depth", all, of_places, true);
-  for (const std::string& role : roles) add(reading, role, all || reading.colour_premultiplied, of_numbers);
+  add(reading, "normal", directions, of_directions);
+  add(reading, "position", places, of_places, true);
+  add(reading, "base_normal", directions, of_directions);
+  add(reading, "ids", all && fractions ? Mean::over_pixel : Mean::none, of_ids);
+  add(reading, "coverage", Mean::over_pixel, of_alpha);
+  add(reading, "depth", places, of_places, true);
+  for (const std::string& role : roles) add(reading, role, all || reading.colour_premultiplied ? Mean::over_pixel : Mean::none, of_numbers);
   position_ = layer("position"), ids_ = layer("ids"), alpha_ = layer("coverage"), depth_ = layer("depth");
   read(file, reading);
   const std::size_t pixels = std::size_t(window_.pixels());
   kinds_.resize(pixels);
   for (std::size_t i = 0; i < pixels; ++i) kinds_[i] = kind_by_itself(reading, i);
-  if (!all || reading.normal_space == Space::view_ray) return;
-  // A mean of two positions lies on neither surface, though normals and ids may be alike.
+  if (places != Mean::none && reading.normal_space != Space::view_ray) settle_by_neighbours(reading.mean_over_hits);
+}
+
+/// A mean of two positions lies on neither surface, though normals and ids may be alike. Means over hits do not tell background by themselves.
+void FilteredLayers::settle_by_neighbours(bool mean_over_hits) {
   std::vector<Kind> settled = kinds_;
   for (int y = window_.min_y; y < window_.max_y; ++y)
-    for (int x = window_.min_x; x < window_.max_x; ++x)
-      if (pure(index(x, y)) && !in_a_block(x, y)) settled[index(x, y)] = Kind::mixed;
+    for (int x = window_.min_x; x < window_.max_x; ++x) {
+      if (!pure(index(x, y))) continue;
+      if (!in_a_block(x, y))
+        settled[index(x, y)] = Kind::mixed;
+      else if (mean_over_hits && beside_background(x, y))
+        settled[index(x, y)] = Kind::unclear;
+    }
   kinds_ = std::move(settled);
 }
 
-void FilteredLayers::add(const Reading& reading, const std::string& role, bool mean, double resolution, bool relative) {
+bool FilteredLayers::beside_background(int x, int y) const {
+  for (int v = y - filter_radius; v <= y + filter_radius; ++v)
+    for (int u = x - filter_radius; u <= x + filter_radius; ++u)
+      if (inside(u, v) && empty(index(u, v))) return true;
+  return false;
+}
+
+void FilteredLayers::add(const Reading& reading, const std::string& role, Mean mean, double resolution, bool relative) {
   const auto found = reading.roles.find(role);
   if (found == reading.roles.end() || layer(role)) return;
   const int count = int(found->second.channels.size());
@@ -110,14 +128,14 @@ glm::dvec3 FilteredLayers::vector(const Layer& layer, std::size_t i) const {
 
 FilteredLayers::Kind FilteredLayers::kind_by_itself(const Reading& reading, std::size_t i) const {
   const float* const v = value(i);
-  if (!std::all_of(v, v + components_, [](float x) { return std::isfinite(x); })) return Kind::broken;
+  if (!std::all_of(v, v + components_, [](float x) { return std::isfinite(x); })) return Kind::unclear;
   const double length = glm::length(vector(layers_[0], i));
   const bool unit = std::abs(length - 1) < 1 - short_of_one;
   const bool far = depth_ && !(std::abs(v[depth_->first]) < reading.background_depth);
   if (length < shows_nothing || (far && unit)) return Kind::empty;
   const double alpha = alpha_ ? v[alpha_->first] : 1;
   const bool partial = alpha > shows_nothing && alpha < full_coverage;
-  const bool fraction = ids_ && ids_->mean && !whole_number(v[ids_->first]);
+  const bool fraction = ids_ && ids_->mean == Mean::over_pixel && !whole_number(v[ids_->first]);
   return unit && !partial && !fraction ? Kind::pure : Kind::mixed;
 }
 
@@ -144,13 +162,26 @@ bool FilteredLayers::in_a_block(int x, int y) const {
   return false;
 }
 
+bool FilteredLayers::has_soft_steps() const {
+  std::int64_t steps = 0, soft = 0;
+  for (int y = window_.min_y; y < window_.max_y; ++y)
+    for (int x = window_.min_x; x + 1 < window_.max_x; ++x) {
+      const std::size_t i = index(x, y), right = index(x + 1, y);
+      soft += mixed(i);
+      steps += pure(i) && pure(right) && !one_surface(i, right);
+    }
+  return soft > steps;
+}
+
 bool looks_filtered(const ExrFile& file, const Reading& reading) {
-  for (const SampledBand& band : sample_rows(file, reading, {"normal", "ids"}))
+  for (const SampledBand& band : sample_rows(file, reading, {"normal", "ids"})) {
+    if (reading.mean_over_hits && FilteredLayers(file, reading, band.window, {}).has_soft_steps()) return true;
     for (std::int64_t i = 0; i < band.window.pixels(); ++i) {
       const double length = glm::length(decoded_normal(reading, band.vector("normal", i)));
       if (length > shows_nothing && length < short_of_one) return true;
       if (band.has("ids") && !whole_number(band.value("ids", i))) return true;
     }
+  }
   return false;
 }
 

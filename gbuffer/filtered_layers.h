@@ -15,10 +15,16 @@ class FilteredLayers {
   /// Pixels that are looked at around one: filters reach 2 pixels, and a surface shows its slope within 2 more.
   static constexpr int reach = 4;
 
+  enum class Mean {
+    over_pixel,  ///< misses count as 0
+    over_hits,   ///< misses do not count
+    direction,   ///< of the mean, with a length of 1
+    none         ///< what the pixel's centre shows
+  };
   struct Layer {
     std::string role;
     int first, count;   ///< components: value(i)[first] ...
-    bool mean;          ///< over the pixel, misses counting as 0; else what the pixel's centre shows
+    Mean mean;
     double resolution;  ///< differences below it are noise
     bool relative;      ///< and it is a share of the value
     bool is_signed;     ///< else below 0 is impossible
@@ -30,7 +36,6 @@ class FilteredLayers {
   const std::vector<Layer>& layers() const { return layers_; }
   const Layer* layer(const std::string& role) const;
   int components() const { return components_; }
-  const Window& window() const { return window_; }  ///< the one asked for, and `reach` pixels on each side where there are some
 
   std::size_t index(int x, int y) const { return std::size_t(y - window_.min_y) * std::size_t(window_.width()) + std::size_t(x - window_.min_x); }
   bool inside(int x, int y) const { return x >= window_.min_x && x < window_.max_x && y >= window_.min_y && y < window_.max_y; }
@@ -40,18 +45,21 @@ class FilteredLayers {
   bool pure(std::size_t i) const { return kinds_[i] == Kind::pure; }      ///< one surface alone
   bool mixed(std::size_t i) const { return kinds_[i] == Kind::mixed; }    ///< a mean of several, or of one and nothing
   bool one_surface(std::size_t a, std::size_t b) const;                   ///< two neighbours that are pure: of the same surface
+  bool has_soft_steps() const;  ///< more pixels lie between surfaces than meet another abruptly
 
  private:
-  enum class Kind : char { empty, broken, pure, mixed };
+  enum class Kind : char { empty, unclear, pure, mixed };
 
-  void add(const Reading& reading, const std::string& role, bool mean, double resolution, bool relative = false);
+  void add(const Reading& reading, const std::string& role, Mean mean, double resolution, bool relative = false);
   void read(const ExrFile& file, const Reading& reading);
   Kind kind_by_itself(const Reading& reading, std::size_t i) const;
+  void settle_by_neighbours(bool mean_over_hits);
   bool in_a_block(int x, int y) const;
+  bool beside_background(int x, int y) const;
   glm::dvec3 vector(const Layer& layer, std::size_t i) const;
   glm::dvec3 normal_beside_position(std::size_t i) const { return turn_ * vector(layers_[0], i); }
 
-  Window window_;
+  Window window_;              ///< the one asked for, and what must be known around it
   std::vector<Layer> layers_;  ///< the normal is the first
   const Layer *position_ = nullptr, *ids_ = nullptr, *alpha_ = nullptr, *depth_ = nullptr;
   int components_ = 0;

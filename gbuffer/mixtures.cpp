@@ -27,17 +27,32 @@ struct Weights {
   double cost = 1e300;
 };
 
+/// What weights of 1 would have to make of the layer: the equation is sum of w_k (s_k - of_surface) = of_pixel.
+struct Target {
+  ArrayXd of_surface, of_pixel;
+};
+
+Target target_of(const FilteredLayers::Layer& layer, const ArrayXd& x, const ArrayXd& s) {
+  using Mean = FilteredLayers::Mean;
+  const ArrayXd stored = x.segment(layer.first, layer.count), nothing = ArrayXd::Zero(layer.count);
+  if (layer.mean == Mean::over_hits) return {stored, nothing};
+  if (layer.mean == Mean::direction) return {stored * (stored * s.segment(layer.first, layer.count)).sum(), nothing};
+  return {nothing, stored};
+}
+
 Equations equations_of(const FilteredLayers& layers, const Surroundings& near, const ArrayXd& x) {
   const int count = int(near.surfaces.size());
   Equations e{MatrixXd::Zero(layers.components(), count), VectorXd::Zero(layers.components())};
   for (const auto& layer : layers.layers()) {
-    if (!layer.mean || (layer.role == "coverage" && !near.alpha_tells)) continue;
-    for (int d = layer.first; d < layer.first + layer.count; ++d) {
-      double variance = 0;
-      for (const Surface& s : near.surfaces) variance = std::max(variance, s.variance[d]);
-      const double scale = 1 / std::sqrt(variance);
-      for (int k = 0; k < count; ++k) e.a(d, k) = scale * near.surfaces[std::size_t(k)].value[d];
-      e.b[d] = scale * x[d];
+    if (layer.mean == FilteredLayers::Mean::none || (layer.role == "coverage" && !near.alpha_tells)) continue;
+    ArrayXd variance = ArrayXd::Zero(layer.count);
+    for (const Surface& s : near.surfaces) variance = variance.max(s.variance.segment(layer.first, layer.count));
+    const ArrayXd scale = variance.rsqrt();
+    for (int k = 0; k < count; ++k) {
+      const ArrayXd& s = near.surfaces[std::size_t(k)].value;
+      const Target target = target_of(layer, x, s);
+      e.a.col(k).segment(layer.first, layer.count) = (scale * (s.segment(layer.first, layer.count) - target.of_surface)).matrix();
+      e.b.segment(layer.first, layer.count) = (scale * target.of_pixel).matrix();
     }
   }
   return e;
@@ -73,25 +88,28 @@ Weights best_weights(const Equations& e, bool background) {
   return best;
 }
 
-/// Corrects the surfaces so that the weights make the pixel of them; what is no mean goes to the surface that it fits.
+/// Corrects the surfaces so that the weights make the pixel of them.
 void correct(const FilteredLayers& layers, const VectorXd& w, const ArrayXd& x, std::vector<Surface>& surfaces) {
   for (const auto& layer : layers.layers()) {
-    if (!layer.mean) continue;
-    for (int d = layer.first; d < layer.first + layer.count; ++d) {
-      double residual = x[d], variance = 0;
-      for (int k = 0; k < w.size(); ++k) {
-        residual -= w[k] * surfaces[std::size_t(k)].value[d];
-        variance += w[k] * w[k] * surfaces[std::size_t(k)].variance[d];
-      }
-      for (int k = 0; k < w.size(); ++k)
-        if (variance > 0) surfaces[std::size_t(k)].value[d] += surfaces[std::size_t(k)].variance[d] * w[k] / variance * residual;
+    if (layer.mean == FilteredLayers::Mean::none) continue;
+    const auto part = [&](ArrayXd& a) { return a.segment(layer.first, layer.count); };
+    ArrayXd residual = ArrayXd::Zero(layer.count), variance = ArrayXd::Zero(layer.count);
+    for (int k = 0; k < w.size(); ++k) {
+      Surface& s = surfaces[std::size_t(k)];
+      const Target target = target_of(layer, x, s.value);
+      if (k == 0) residual = target.of_pixel;
+      residual -= w[k] * (part(s.value) - target.of_surface);
+      variance += w[k] * w[k] * part(s.variance);
     }
+    for (int k = 0; k < w.size(); ++k)
+      part(surfaces[std::size_t(k)].value) += part(surfaces[std::size_t(k)].variance) * (w[k] / variance * residual);
   }
 }
 
+/// What is no mean belongs to the surface that the pixel's centre shows.
 void take_centre(const FilteredLayers& layers, const VectorXd& w, const ArrayXd& x, std::vector<Surface>& surfaces) {
   const auto* position = layers.layer("position");
-  if (!position || position->mean) return;
+  if (!position || position->mean != FilteredLayers::Mean::none) return;
   constexpr double fits = 25;  // five standard deviations
   double best = fits;
   Surface* owner = nullptr;
@@ -103,7 +121,7 @@ void take_centre(const FilteredLayers& layers, const VectorXd& w, const ArrayXd&
   }
   if (!owner) return;
   for (const auto& layer : layers.layers())
-    if (!layer.mean) owner->value.segment(layer.first, layer.count) = x.segment(layer.first, layer.count);
+    if (layer.mean == FilteredLayers::Mean::none) owner->value.segment(layer.first, layer.count) = x.segment(layer.first, layer.count);
 }
 
 struct Share {
@@ -142,14 +160,14 @@ void append(const FilteredLayers& layers, std::int64_t pixel, const Share& share
     }
 }
 
-/// A surface alone needs no taking apart where all layers are divided by coverage anyway, or it covers the pixel.
-void explain(const FilteredLayers& layers, bool divided_anyway, int x, int y, std::int64_t pixel, Mixtures& to) {
+/// A surface alone needs no taking apart where coverage is dealt with anyway, or it covers the pixel.
+void explain(const FilteredLayers& layers, bool coverage_known, int x, int y, std::int64_t pixel, Mixtures& to) {
   ++to.mixed;
   const std::vector<Share> shares = shares_of(layers, x, y);
   if (shares.empty()) return;
-  if (shares.size() == 1) ++to.alone;
-  if (shares.size() == 1 && (divided_anyway || shares[0].weight > 1 - negligible)) return;
-  ++to.apart;
+  ++(shares.size() > 1 ? to.apart : to.alone);
+  if (shares.size() == 1 && (coverage_known || shares[0].weight > 1 - negligible)) return;
+  ++to.replaced;
   for (const Share& share : shares) append(layers, pixel, share, to);
 }
 
@@ -159,6 +177,7 @@ void append(const Mixtures& row, Mixtures& to) {
   to.mixed += row.mixed;
   to.apart += row.apart;
   to.alone += row.alone;
+  to.replaced += row.replaced;
 }
 
 }  // namespace
@@ -172,7 +191,7 @@ Mixtures find_mixtures(const ExrFile& file, const Reading& reading, const Window
     for (int x = window.min_x; x < window.max_x; ++x) {
       if (!layers.mixed(layers.index(x, y))) continue;
       const std::int64_t pixel = std::int64_t(y - window.min_y) * window.width() + (x - window.min_x);
-      explain(layers, reading.position_premultiplied, x, y, pixel, row);
+      explain(layers, reading.position_premultiplied || reading.mean_over_hits, x, y, pixel, row);
     }
   });
   Mixtures all;

@@ -83,6 +83,7 @@ struct Reading {
   bool normal_in_tangent_frame = false;  ///< Mitsuba 3.9's bumpmap: n = s x + t y + base z (research: mitsuba-truth)
   std::vector<std::uint32_t> tangent_ids, bumped_ids;  ///< object ids that the tangent frame, and base normals, concern; empty: all
   bool position_premultiplied = false;  ///< position is a mean over the pixel including misses as 0: divide by coverage, and so is every other layer
+  bool mean_over_hits = false;          ///< position is a mean over the samples that hit something, the normal that mean's direction (pbrt)
   bool filtered = false;                ///< pixels are means over several samples: some mix surfaces
   bool colour_premultiplied = false;    ///< albedo and other colours carry coverage, so radiance needs no factor of its own
   double background_depth = 1e9;        ///< depth at or beyond this, or no normal, shows no surface

@@ -43,6 +43,7 @@ const Convention convention_pbrt{
     .takes_common_names = false,
     .facing = Facing::two_sided,
     .colour_premultiplied = true,
+    .assign = set_filtering,
     .choose_lobes = choose_lobes,
     .settle_space = settle_space,
 };
