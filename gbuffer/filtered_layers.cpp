@@ -56,7 +56,7 @@ FilteredLayers::FilteredLayers(const ExrFile& file, const Reading& reading, cons
   add(reading, "ids", all && fractions ? Mean::over_pixel : Mean::none, of_ids);
   add(reading, "coverage", Mean::over_pixel, of_alpha);
   add(reading, "depth", places, of_places, true);
-  for (const std::string& role : roles) add(reading, role, all || reading.colour_premultiplied ? Mean::over_pixel : Mean::none, of_numbers);
+  for (const std::string& role : roles) add(reading, role, Mean::over_pixel, of_numbers);
   position_ = layer("position"), ids_ = layer("ids"), alpha_ = layer("coverage"), depth_ = layer("depth");
   read(file, reading);
   const std::size_t pixels = std::size_t(window_.pixels());
@@ -107,8 +107,8 @@ void FilteredLayers::read(const ExrFile& file, const Reading& reading) {
   for (const Layer& layer : layers_) {
     const RoleLayer& from = reading.roles.at(layer.role);
     for (int c = 0; c < layer.count; ++c)
-      by_part[from.part].push_back({from.channels[std::size_t(c)], SampleType::float32, values_.data() + layer.first + c, step,
-                                    step * std::size_t(window_.width())});
+      by_part[from.part].push_back(
+          {from.channels[std::size_t(c)], SampleType::float32, values_.data() + layer.first + c, step, step * std::size_t(window_.width())});
   }
   for (const auto& [part, destinations] : by_part) file.read(part, window_, destinations);
   if (reading.normal_encoding == NormalEncoding::as_signed) return;
@@ -142,7 +142,7 @@ FilteredLayers::Kind FilteredLayers::kind_by_itself(const Reading& reading, std:
 /// The chord between two points of a smooth surface is perpendicular to the sum of their normals (exactly so on a ball).
 bool FilteredLayers::one_surface(std::size_t a, std::size_t b) const {
   if (ids_ && std::abs(value(a)[ids_->first] - value(b)[ids_->first]) > 0.5) return false;
-  constexpr double alike = 0.5;                      // cosine: less is a crease
+  constexpr double alike = 0.5;                       // cosine: less is a crease
   constexpr double steepest = 0.25, rounding = 1e-3;  // facets under smooth normals lean that much; half precision, of the position
   const glm::dvec3 na = normal_beside_position(a), nb = normal_beside_position(b);
   if (!(glm::dot(na, nb) > alike)) return false;

@@ -23,7 +23,7 @@ class FilteredLayers {
   };
   struct Layer {
     std::string role;
-    int first, count;   ///< components: value(i)[first] ...
+    int first, count;  ///< components: value(i)[first] ...
     Mean mean;
     double resolution;  ///< differences below it are noise
     bool relative;      ///< and it is a share of the value
@@ -41,11 +41,11 @@ class FilteredLayers {
   bool inside(int x, int y) const { return x >= window_.min_x && x < window_.max_x && y >= window_.min_y && y < window_.max_y; }
   const float* value(std::size_t i) const { return values_.data() + i * std::size_t(components_); }
 
-  bool empty(std::size_t i) const { return kinds_[i] == Kind::empty; }    ///< no surface
-  bool pure(std::size_t i) const { return kinds_[i] == Kind::pure; }      ///< one surface alone
-  bool mixed(std::size_t i) const { return kinds_[i] == Kind::mixed; }    ///< a mean of several, or of one and nothing
-  bool one_surface(std::size_t a, std::size_t b) const;                   ///< two neighbours that are pure: of the same surface
-  bool has_soft_steps() const;  ///< more pixels lie between surfaces than meet another abruptly
+  bool empty(std::size_t i) const { return kinds_[i] == Kind::empty; }  ///< no surface
+  bool pure(std::size_t i) const { return kinds_[i] == Kind::pure; }    ///< one surface alone
+  bool mixed(std::size_t i) const { return kinds_[i] == Kind::mixed; }  ///< a mean of several, or of one and nothing
+  bool one_surface(std::size_t a, std::size_t b) const;                 ///< two neighbours that are pure: of the same surface
+  bool has_soft_steps() const;                                          ///< more pixels lie between surfaces than meet another abruptly
 
  private:
   enum class Kind : char { empty, unclear, pure, mixed };

@@ -29,7 +29,7 @@ struct GBuffer {
   std::map<std::string, PlaneRange> roles;  ///< the other roles that were asked for ("albedo", "roughness", "alpha", "uv", ...)
   std::vector<std::uint32_t> ids;           ///< object id of each pixel, if the role was asked for; else empty
   std::int64_t surface_pixels = 0;
-  std::int64_t bad_pixels = 0;  ///< NaN or infinite position or normal: treated as showing no surface, and said so
+  std::int64_t bad_pixels = 0;        ///< NaN or infinite position or normal: treated as showing no surface, and said so
   std::vector<std::int64_t> homes{};  ///< after the window's pixels come further surfaces of mixed ones: the pixel of each
 
   std::int64_t samples() const { return window.pixels() + std::int64_t(homes.size()); }
@@ -39,6 +39,6 @@ struct GBuffer {
 /// `roles`: those wanted besides position, normal, base_normal and coverage. `spare_planes`: room for the caller's own.
 /// `mixtures` of the same window and roles: pixels that are taken apart.
 GBuffer read_gbuffer(const ExrFile& file, const Reading& reading, const Window& window, const std::vector<std::string>& roles, int spare_planes,
-                    const Mixtures& mixtures = {});
+                     const Mixtures& mixtures = {});
 
 }  // namespace relume

@@ -101,8 +101,7 @@ void correct(const FilteredLayers& layers, const VectorXd& w, const ArrayXd& x, 
       residual -= w[k] * (part(s.value) - target.of_surface);
       variance += w[k] * w[k] * part(s.variance);
     }
-    for (int k = 0; k < w.size(); ++k)
-      part(surfaces[std::size_t(k)].value) += part(surfaces[std::size_t(k)].variance) * (w[k] / variance * residual);
+    for (int k = 0; k < w.size(); ++k) part(surfaces[std::size_t(k)].value) += part(surfaces[std::size_t(k)].variance) * (w[k] / variance * residual);
   }
 }
 
@@ -138,7 +137,7 @@ std::vector<Share> shares_of(const FilteredLayers& layers, int px, int py) {
   const ArrayXd x = Eigen::Map<const Eigen::ArrayXf>(layers.value(layers.index(px, py)), layers.components()).cast<double>();
   const Equations e = equations_of(layers, near, x);
   const Weights found = best_weights(e, near.background);
-  constexpr double too_far = 16;  // mean square, in standard deviations
+  constexpr double too_far = 4;  // mean square: two standard deviations
   if (!(found.cost < too_far * double(layers.components()))) return {};
   correct(layers, found.w, x, near.surfaces);
   take_centre(layers, found.w, x, near.surfaces);

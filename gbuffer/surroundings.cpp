@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::ArrayXd;
 constexpr int reach = FilteredLayers::reach, side = 2 * reach + 1;
-constexpr std::size_t fewest_pixels = 3;   // that determine a plane
+constexpr std::size_t fewest_pixels = 3;  // that determine a plane
 
 struct Member {
   std::size_t pixel;
@@ -147,7 +147,8 @@ Surface continued(const FilteredLayers& layers, const Group& group) {
   surface.variance = far * uneven + off_centre * off_centre * slope.rowwise().squaredNorm().array();
   make_unit(layers, surface.value);
   surface.variance += noise_of(layers, surface.value);
-  if (const auto* ids = layers.layer("ids")) surface.id = std::uint32_t(std::llround(std::max(0.0f, layers.value(group.members[0].pixel)[ids->first])));
+  if (const auto* ids = layers.layer("ids"))
+    surface.id = std::uint32_t(std::llround(std::max(0.0f, layers.value(group.members[0].pixel)[ids->first])));
   return surface;
 }
 
