@@ -74,7 +74,7 @@ void FilteredLayers::settle_by_neighbours(bool mean_over_hits) {
       if (!in_a_block(x, y))
         settled[index(x, y)] = Kind::mixed;
       else if (mean_over_hits && beside_background(x, y))
-        settled[index(x, y)] = Kind::unclear;
+        settled[index(x, y)] = Kind::fringe;
     }
   kinds_ = std::move(settled);
 }
@@ -128,7 +128,7 @@ glm::dvec3 FilteredLayers::vector(const Layer& layer, std::size_t i) const {
 
 FilteredLayers::Kind FilteredLayers::kind_by_itself(const Reading& reading, std::size_t i) const {
   const float* const v = value(i);
-  if (!std::all_of(v, v + components_, [](float x) { return std::isfinite(x); })) return Kind::unclear;
+  if (!std::all_of(v, v + components_, [](float x) { return std::isfinite(x); })) return Kind::broken;
   const double length = glm::length(vector(layers_[0], i));
   const bool unit = std::abs(length - 1) < 1 - short_of_one;
   const bool far = depth_ && !(std::abs(v[depth_->first]) < reading.background_depth);
@@ -167,7 +167,7 @@ bool FilteredLayers::has_soft_steps() const {
   for (int y = window_.min_y; y < window_.max_y; ++y)
     for (int x = window_.min_x; x + 1 < window_.max_x; ++x) {
       const std::size_t i = index(x, y), right = index(x + 1, y);
-      soft += mixed(i);
+      soft += kinds_[i] == Kind::mixed;
       steps += pure(i) && pure(right) && !one_surface(i, right);
     }
   return soft > steps;

@@ -43,12 +43,14 @@ class FilteredLayers {
 
   bool empty(std::size_t i) const { return kinds_[i] == Kind::empty; }  ///< no surface
   bool pure(std::size_t i) const { return kinds_[i] == Kind::pure; }    ///< one surface alone
-  bool mixed(std::size_t i) const { return kinds_[i] == Kind::mixed; }  ///< a mean of several, or of one and nothing
-  bool one_surface(std::size_t a, std::size_t b) const;                 ///< two neighbours that are pure: of the same surface
-  bool has_soft_steps() const;                                          ///< more pixels lie between surfaces than meet another abruptly
+  bool mixed(std::size_t i) const {
+    return kinds_[i] == Kind::mixed || kinds_[i] == Kind::fringe;
+  }                                                      ///< perhaps a mean of several, or of one and nothing
+  bool one_surface(std::size_t a, std::size_t b) const;  ///< two neighbours that are pure: of the same surface
+  bool has_soft_steps() const;                           ///< more pixels lie between surfaces than meet another abruptly
 
  private:
-  enum class Kind : char { empty, unclear, pure, mixed };
+  enum class Kind : char { empty, broken, pure, mixed, fringe };
 
   void add(const Reading& reading, const std::string& role, Mean mean, double resolution, bool relative = false);
   void read(const ExrFile& file, const Reading& reading);

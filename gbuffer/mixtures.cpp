@@ -71,8 +71,8 @@ Weights solve(const Equations& e, unsigned subset, bool whole) {
       if (subset >> j & 1) normal(i, j) = e.a.col(i).dot(e.a.col(j)) + (whole ? strict : 0) + (i == j ? 1e-6 : 0);
   }
   Weights result{normal.ldlt().solve(right), 0};
-  constexpr double per_surface = 2;  // Akaike: a surface must explain more than a free number does by chance
-  result.cost = (e.a * result.w - e.b).squaredNorm() + per_surface * __builtin_popcount(subset);
+  constexpr double per_number = 2;  // Akaike: what is free to choose must explain more than chance
+  result.cost = (e.a * result.w - e.b).squaredNorm() + per_number * (__builtin_popcount(subset) - (whole ? 1 : 0));
   return result;
 }
 
@@ -159,13 +159,12 @@ void append(const FilteredLayers& layers, std::int64_t pixel, const Share& share
     }
 }
 
-/// A surface alone needs no taking apart where coverage is dealt with anyway, or it covers the pixel.
-void explain(const FilteredLayers& layers, bool coverage_known, int x, int y, std::int64_t pixel, Mixtures& to) {
-  ++to.mixed;
+/// A surface and background need no taking apart where all layers are divided by coverage anyway.
+void explain(const FilteredLayers& layers, bool divided_anyway, int x, int y, std::int64_t pixel, Mixtures& to) {
   const std::vector<Share> shares = shares_of(layers, x, y);
-  if (shares.empty()) return;
-  ++(shares.size() > 1 ? to.apart : to.alone);
-  if (shares.size() == 1 && (coverage_known || shares[0].weight > 1 - negligible)) return;
+  if (shares.size() == 1 && shares[0].weight > 1 - negligible) return;  // curved within the pixel
+  ++(shares.empty() ? to.unexplained : shares.size() == 1 ? to.partial : to.apart);
+  if (shares.empty() || (shares.size() == 1 && divided_anyway)) return;
   ++to.replaced;
   for (const Share& share : shares) append(layers, pixel, share, to);
 }
@@ -173,9 +172,9 @@ void explain(const FilteredLayers& layers, bool coverage_known, int x, int y, st
 void append(const Mixtures& row, Mixtures& to) {
   to.samples.insert(to.samples.end(), row.samples.begin(), row.samples.end());
   to.values.insert(to.values.end(), row.values.begin(), row.values.end());
-  to.mixed += row.mixed;
   to.apart += row.apart;
-  to.alone += row.alone;
+  to.partial += row.partial;
+  to.unexplained += row.unexplained;
   to.replaced += row.replaced;
 }
 
@@ -190,7 +189,7 @@ Mixtures find_mixtures(const ExrFile& file, const Reading& reading, const Window
     for (int x = window.min_x; x < window.max_x; ++x) {
       if (!layers.mixed(layers.index(x, y))) continue;
       const std::int64_t pixel = std::int64_t(y - window.min_y) * window.width() + (x - window.min_x);
-      explain(layers, reading.position_premultiplied || reading.mean_over_hits, x, y, pixel, row);
+      explain(layers, reading.position_premultiplied, x, y, pixel, row);
     }
   });
   Mixtures all;

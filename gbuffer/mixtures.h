@@ -22,10 +22,10 @@ struct Mixtures {
   std::vector<int> firsts;                 ///< of each role: its first component
   int components = 0;                      ///< values of a sample
   std::vector<float> values;               ///< of each sample: layers as stored, but of the one surface alone, as if it covered the pixel
-  std::int64_t mixed = 0;                  ///< pixels that are means of something
-  std::int64_t apart = 0;                  ///< those of several surfaces that were told apart
-  std::int64_t alone = 0;                  ///< those of one surface, with or without background
-  std::int64_t replaced = 0;               ///< those that the samples stand for
+  std::int64_t apart = 0;                  ///< pixels of several surfaces
+  std::int64_t partial = 0;                ///< pixels of one surface and background
+  std::int64_t unexplained = 0;            ///< pixels that are means, of what the pixels around do not tell
+  std::int64_t replaced = 0;               ///< pixels that the samples stand for
   static constexpr int most_surfaces = 3;  ///< of a pixel: where three objects meet; a fourth would explain anything
 
   std::int64_t extras() const { return std::int64_t(samples.size()) - replaced; }  ///< samples beside each pixel's first

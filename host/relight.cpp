@@ -88,7 +88,7 @@ class Relight {
   std::unique_ptr<Device> device_;
   Window window_;
   glm::dvec3 ambient_{0};
-  std::int64_t mixed_ = 0, apart_ = 0, alone_ = 0;  ///< as in Mixtures
+  std::int64_t apart_ = 0, partial_ = 0, unexplained_ = 0;  ///< as in Mixtures
 };
 
 /// What can be refused before any work.
@@ -174,9 +174,9 @@ Window rows_of(const Window& window, int first, int count) { return {window.min_
 
 GBuffer Relight::read_band(const Window& band) {
   const Mixtures mixtures = find_mixtures(file_, reading_, band, roles_);
-  mixed_ += mixtures.mixed;
   apart_ += mixtures.apart;
-  alone_ += mixtures.alone;
+  partial_ += mixtures.partial;
+  unexplained_ += mixtures.unexplained;
   return read_gbuffer(file_, reading_, band, roles_, binding_->spare_planes(), mixtures);
 }
 
@@ -298,11 +298,13 @@ std::vector<std::pair<std::string, std::string>> Relight::metadata() const {
 }
 
 void Relight::note_mixed_pixels() {
+  const std::int64_t mixed = apart_ + partial_ + unexplained_;
+  if (mixed == 0) return;
   char share[32];
-  std::snprintf(share, sizeof share, "%.1f %%", 100.0 * double(mixed_) / double(std::max<std::int64_t>(1, summary_.surface_pixels)));
-  note(std::to_string(mixed_) + " of " + std::to_string(summary_.surface_pixels) + " pixels are means (" + share + "): " + std::to_string(apart_) +
-       " shaded surface by surface, " + std::to_string(alone_) + " with one surface, " + std::to_string(mixed_ - apart_ - alone_) +
-       " unexplained and shaded as the mean (--edges as-stored shades all so)");
+  std::snprintf(share, sizeof share, "%.1f %%", 100.0 * double(mixed) / double(std::max<std::int64_t>(1, summary_.surface_pixels)));
+  note(std::to_string(mixed) + " of " + std::to_string(summary_.surface_pixels) + " pixels mix surfaces or background (" + share +
+       "): " + std::to_string(apart_) + " shaded surface by surface, " + std::to_string(partial_) + " with one surface, " +
+       std::to_string(unexplained_) + " unexplained and shaded as the mean (--edges as-stored shades all so)");
 }
 
 void Relight::shade_and_write() {
@@ -336,7 +338,7 @@ void Relight::shade_and_write() {
   }
   if (summary_.bad_pixels)
     note(std::to_string(summary_.bad_pixels) + " pixels have a NaN or infinite position or normal: written as showing no surface");
-  if (mixed_ > 0) note_mixed_pixels();
+  note_mixed_pixels();
   // The picture first: where it cannot be written, the image is not either.
   if (job_.png) write_png(*job_.png, picture, job_.exposure, job_.format.overwrite);
   writer.commit();
