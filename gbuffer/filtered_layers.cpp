@@ -73,10 +73,21 @@ void FilteredLayers::settle_by_neighbours(bool mean_over_hits) {
       if (!pure(index(x, y))) continue;
       if (!in_a_block(x, y))
         settled[index(x, y)] = Kind::mixed;
-      else if (mean_over_hits && beside_background(x, y))
+      else if (mean_over_hits && (beside_background(x, y) || bends(x, y)))
         settled[index(x, y)] = Kind::fringe;
     }
   kinds_ = std::move(settled);
+}
+
+/// Normals that were made unit again do not tell a mean by their length, only by turning to the other surface's.
+bool FilteredLayers::bends(int x, int y) const {
+  constexpr double straight = 0.9;  // cosine: 26 degrees from a pixel to the next
+  const std::size_t self = index(x, y);
+  for (int v = y - 1; v <= y + 1; ++v)
+    for (int u = x - 1; u <= x + 1; ++u)
+      if (inside(u, v) && pure(index(u, v)) && !(one_surface(self, index(u, v)) && glm::dot(normal(self), normal(index(u, v))) > straight))
+        return true;
+  return false;
 }
 
 bool FilteredLayers::beside_background(int x, int y) const {
@@ -144,7 +155,7 @@ bool FilteredLayers::one_surface(std::size_t a, std::size_t b) const {
   if (ids_ && std::abs(value(a)[ids_->first] - value(b)[ids_->first]) > 0.5) return false;
   constexpr double alike = 0.5;                       // cosine: less is a crease
   constexpr double steepest = 0.25, rounding = 1e-3;  // facets under smooth normals lean that much; half precision, of the position
-  const glm::dvec3 na = normal_beside_position(a), nb = normal_beside_position(b);
+  const glm::dvec3 na = normal(a), nb = normal(b);
   if (!(glm::dot(na, nb) > alike)) return false;
   if (!position_) return true;
   const glm::dvec3 pa = vector(*position_, a), chord = vector(*position_, b) - pa;

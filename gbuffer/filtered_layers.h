@@ -58,8 +58,10 @@ class FilteredLayers {
   void settle_by_neighbours(bool mean_over_hits);
   bool in_a_block(int x, int y) const;
   bool beside_background(int x, int y) const;
+  bool bends(int x, int y) const;
   glm::dvec3 vector(const Layer& layer, std::size_t i) const;
-  glm::dvec3 normal_beside_position(std::size_t i) const { return turn_ * vector(layers_[0], i); }
+  /// In the position's space.
+  glm::dvec3 normal(std::size_t i) const { return turn_ * vector(layers_[0], i); }
 
   Window window_;              ///< the one asked for, and what must be known around it
   std::vector<Layer> layers_;  ///< the normal is the first
