@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <map>
+#include <optional>
 
 #include "gbuffer/sample_rows.h"
 
@@ -22,8 +23,6 @@ Window grown(const Window& window, const Window& limit, int by) {
   return {std::max(window.min_x - by, limit.min_x), std::max(window.min_y - by, limit.min_y), std::min(window.max_x + by, limit.max_x),
           std::min(window.max_y + by, limit.max_y)};
 }
-
-bool whole_number(double id) { return std::abs(id - std::round(id)) <= whole_id * std::max(1.0, std::round(id)); }
 
 /// The matrix that picks and flips components.
 glm::dmat3 matrix_of(const Axes& axes) {
@@ -43,6 +42,8 @@ glm::dmat3 normal_to_position(const Reading& reading) {
 
 }  // namespace
 
+bool whole_number(double id) { return std::abs(id - std::round(id)) <= whole_id * std::max(1.0, std::round(id)); }
+
 FilteredLayers::FilteredLayers(const ExrFile& file, const Reading& reading, const Window& window, const std::vector<std::string>& roles)
     : window_(grown(window, reading.data_window, reach + filter_radius)), turn_(normal_to_position(reading)) {
   constexpr double of_directions = 0.01, of_numbers = 0.01, of_ids = 0.02, of_alpha = 2e-3, of_places = 1e-3;
@@ -55,7 +56,7 @@ FilteredLayers::FilteredLayers(const ExrFile& file, const Reading& reading, cons
   add(reading, "base_normal", directions, of_directions);
   add(reading, "ids", all && fractions ? Mean::over_pixel : Mean::none, of_ids);
   add(reading, "coverage", Mean::over_pixel, of_alpha);
-  add(reading, "depth", places, of_places, true);
+  add(reading, "depth", Mean::none, of_places, true);
   for (const std::string& role : roles) add(reading, role, Mean::over_pixel, of_numbers);
   position_ = layer("position"), ids_ = layer("ids"), alpha_ = layer("coverage"), depth_ = layer("depth");
   read(file, reading);
@@ -139,7 +140,9 @@ glm::dvec3 FilteredLayers::vector(const Layer& layer, std::size_t i) const {
 
 FilteredLayers::Kind FilteredLayers::kind_by_itself(const Reading& reading, std::size_t i) const {
   const float* const v = value(i);
-  if (!std::all_of(v, v + components_, [](float x) { return std::isfinite(x); })) return Kind::broken;
+  for (const Layer& layer : layers_)
+    if (&layer != depth_ && !std::all_of(v + layer.first, v + layer.first + layer.count, [](float x) { return std::isfinite(x); }))
+      return Kind::broken;
   const double length = glm::length(vector(layers_[0], i));
   const bool unit = std::abs(length - 1) < 1 - short_of_one;
   const bool far = depth_ && !(std::abs(v[depth_->first]) < reading.background_depth);
@@ -173,27 +176,58 @@ bool FilteredLayers::in_a_block(int x, int y) const {
   return false;
 }
 
-bool FilteredLayers::has_soft_steps() const {
-  std::int64_t steps = 0, soft = 0;
+void FilteredLayers::look(Steps& steps, std::vector<Sighting>& mixed_ones, std::vector<Sighting>& pure_ones) const {
   for (int y = window_.min_y; y < window_.max_y; ++y)
-    for (int x = window_.min_x; x + 1 < window_.max_x; ++x) {
-      const std::size_t i = index(x, y), right = index(x + 1, y);
-      soft += kinds_[i] == Kind::mixed;
-      steps += pure(i) && pure(right) && !one_surface(i, right);
+    for (int x = window_.min_x; x < window_.max_x; ++x) {
+      const std::size_t i = index(x, y);
+      steps.soft += kinds_[i] == Kind::mixed;
+      if (inside(x + 1, y)) steps.hard += pure(i) && pure(index(x + 1, y)) && !one_surface(i, index(x + 1, y));
+      if (mixed(i) && position_) mixed_ones.push_back({x + 0.5, y + 0.5, vector(*position_, i)});
+      if (pure(i) && position_) pure_ones.push_back({x + 0.5, y + 0.5, vector(*position_, i)});
     }
-  return soft > steps;
 }
 
-bool looks_filtered(const ExrFile& file, const Reading& reading) {
-  for (const SampledBand& band : sample_rows(file, reading, {"normal", "ids"})) {
-    if (reading.mean_over_hits && FilteredLayers(file, reading, band.window, {}).has_soft_steps()) return true;
-    for (std::int64_t i = 0; i < band.window.pixels(); ++i) {
-      const double length = glm::length(decoded_normal(reading, band.vector("normal", i)));
-      if (length > shows_nothing && length < short_of_one) return true;
-      if (band.has("ids") && !whole_number(band.value("ids", i))) return true;
-    }
+namespace {
+
+/// Means leave short normals or fractions of ids: a quick look that spares most files the closer one.
+bool shows_means(const Reading& reading, const SampledBand& band) {
+  for (std::int64_t i = 0; i < band.window.pixels(); ++i) {
+    const double length = glm::length(decoded_normal(reading, band.vector("normal", i)));
+    if (length > shows_nothing && length < short_of_one) return true;
+    if (band.has("ids") && !whole_number(band.value("ids", i))) return true;
   }
   return false;
+}
+
+/// The camera in whose world the stored positions are.
+std::optional<Camera> camera_of_positions(const Reading& reading) {
+  std::optional<Camera> camera = reading.camera;
+  if (camera && reading.position_space == Space::camera) {
+    camera->world_from_camera = glm::dmat4(1.0);
+    if (reading.camera_z_forward) camera->world_from_camera[2] *= -1.0;
+  }
+  return camera;
+}
+
+/// Beside an edge the hits lie to one side of the pixel's centre, and so does their mean.
+bool misses_centres(const Reading& reading, const std::vector<Sighting>& mixed, const std::vector<Sighting>& pure) {
+  constexpr std::size_t too_few = 8;
+  constexpr double noticeable = 0.03, clearly = 4;  // pixels: half precision misses by 0.01; and more than inside of surfaces
+  const auto camera = camera_of_positions(reading);
+  if (!camera || mixed.size() < too_few || pure.size() < too_few) return false;
+  return fit_pose(*camera, mixed).residual > std::max(noticeable, clearly * fit_pose(*camera, pure).residual);
+}
+
+}  // namespace
+
+bool looks_filtered(const ExrFile& file, const Reading& reading) {
+  const std::vector<SampledBand> bands = sample_rows(file, reading, {"normal", "ids"});
+  if (!reading.mean_over_hits && std::none_of(bands.begin(), bands.end(), [&](const SampledBand& band) { return shows_means(reading, band); }))
+    return false;
+  FilteredLayers::Steps steps;
+  std::vector<Sighting> mixed, pure;
+  for (const SampledBand& band : bands) FilteredLayers(file, reading, band.window, {}).look(steps, mixed, pure);
+  return reading.mean_over_hits ? misses_centres(reading, mixed, pure) : steps.soft > steps.hard;
 }
 
 }  // namespace relume

@@ -47,7 +47,13 @@ class FilteredLayers {
     return kinds_[i] == Kind::mixed || kinds_[i] == Kind::fringe;
   }                                                      ///< perhaps a mean of several, or of one and nothing
   bool one_surface(std::size_t a, std::size_t b) const;  ///< two neighbours that are pure: of the same surface
-  bool has_soft_steps() const;                           ///< more pixels lie between surfaces than meet another abruptly
+  /// From one surface to the next.
+  struct Steps {
+    std::int64_t soft = 0;  ///< pixels that lie between two
+    std::int64_t hard = 0;  ///< neighbours in a row that show one each
+  };
+  /// Adds what the window holds.
+  void look(Steps& steps, std::vector<Sighting>& mixed, std::vector<Sighting>& pure) const;
 
  private:
   enum class Kind : char { empty, broken, pure, mixed, fringe };
@@ -72,7 +78,10 @@ class FilteredLayers {
   glm::dmat3 turn_{1.0};  ///< from the normal's stored components to the position's space
 };
 
-/// Whether pixels are means: normals shorter than 1 and fractions of ids only come from averaging. Looks at a few bands of rows.
+/// Within what averaging leaves of a whole number in single precision.
+bool whole_number(double id);
+
+/// Whether pixels are means over several samples: then surfaces meet in mixed pixels rather than abruptly. Looks at a few bands of rows.
 bool looks_filtered(const ExrFile& file, const Reading& reading);
 
 }  // namespace relume

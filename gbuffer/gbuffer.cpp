@@ -15,6 +15,7 @@
 #include "gbuffer/error.h"
 #include "gbuffer/layer_frame.h"
 #include "gbuffer/made_normals.h"
+#include "gbuffer/place_sample.h"
 
 namespace relume {
 namespace {
@@ -255,32 +256,7 @@ Loose read_layers(const ExrFile& file, const Reading& reading, const std::vector
   return loose;
 }
 
-/// Where a role's stored values lie; nothing where they are not kept.
-PlaneRange range_of(const GBuffer& g, const std::string& role) {
-  if (role == "position") return g.position;
-  if (role == "normal") return g.normal;
-  if (role == "base_normal") return g.base_normal;
-  const auto found = g.roles.find(role);
-  return found == g.roles.end() || role == "coverage" ? PlaneRange{} : found->second;
-}
-
-/// One surface of a mixed pixel, in the form in which the file stores a pixel that it covers so far.
-void place(const Mixtures& mixtures, std::size_t sample, std::size_t at, const Reading& reading, GBuffer& g) {
-  const float* const values = mixtures.values.data() + sample * std::size_t(mixtures.components);
-  for (std::size_t r = 0; r < mixtures.roles.size(); ++r) {
-    const PlaneRange range = range_of(g, mixtures.roles[r]);
-    const bool direction = range.first == g.normal.first || (g.base_normal.count && range.first == g.base_normal.first);
-    for (int c = 0; c < range.count; ++c) {
-      const float value = values[mixtures.firsts[r] + c];
-      float& stored = g.planes.plane(range.first + c)[at];
-      if (direction)
-        stored = reading.normal_encoding == NormalEncoding::as_signed ? value : (value + 1) / 2;
-      else
-        stored = reading.position_premultiplied ? value * mixtures.samples[sample].coverage : value;
-    }
-  }
-}
-
+/// Mixed pixels are replaced by their first surface; the others follow after all pixels.
 void place(const Mixtures& mixtures, const Reading& reading, GBuffer& g, Loose& loose) {
   if (mixtures.samples.empty()) return;
   loose.coverage.resize(std::size_t(g.samples()), 1.0f);
@@ -288,21 +264,13 @@ void place(const Mixtures& mixtures, const Reading& reading, GBuffer& g, Loose& 
   std::size_t extra = std::size_t(g.window.pixels());
   for (std::size_t k = 0; k < mixtures.samples.size(); ++k) {
     const Mixtures::Sample& sample = mixtures.samples[k];
-    const bool first = k == 0 || mixtures.samples[k - 1].pixel != sample.pixel;
-    const std::size_t home = std::size_t(sample.pixel), at = first ? home : extra++;
-    place(mixtures, k, at, reading, g);
+    const std::size_t home = std::size_t(sample.pixel), at = mixtures.first_of_pixel(k) ? home : extra++;
+    place_sample(mixtures, k, at, reading, g);
     loose.coverage[at] = sample.coverage;
     if (!loose.ids.empty()) loose.ids[at] = sample.id;
     if (!loose.depth.empty()) loose.depth[at] = 0;  // the pixel's centre may show the background
     for (std::size_t c = 0; c < 3 && !loose.tangent.empty(); ++c) loose.tangent[3 * at + c] = loose.tangent[3 * home + c];
   }
-}
-
-std::vector<std::int64_t> homes_of(const Mixtures& mixtures) {
-  std::vector<std::int64_t> homes;
-  for (std::size_t k = 1; k < mixtures.samples.size(); ++k)
-    if (mixtures.samples[k - 1].pixel == mixtures.samples[k].pixel) homes.push_back(mixtures.samples[k].pixel);
-  return homes;
 }
 
 int planes_needed(const ExrFile& file, const Reading& reading, const std::vector<std::string>& roles) {

@@ -45,6 +45,7 @@ Equations equations_of(const FilteredLayers& layers, const Surroundings& near, c
   Equations e{MatrixXd::Zero(layers.components(), count), VectorXd::Zero(layers.components())};
   for (const auto& layer : layers.layers()) {
     if (layer.mean == FilteredLayers::Mean::none || (layer.role == "coverage" && !near.alpha_tells)) continue;
+    if (layer.role == "ids" && whole_number(x[layer.first])) continue;  // of one object, or not averaged
     ArrayXd variance = ArrayXd::Zero(layer.count);
     for (const Surface& s : near.surfaces) variance = variance.max(s.variance.segment(layer.first, layer.count));
     const ArrayXd scale = variance.rsqrt();

@@ -28,6 +28,7 @@ struct Mixtures {
   std::int64_t replaced = 0;               ///< pixels that the samples stand for
   static constexpr int most_surfaces = 3;  ///< of a pixel: where three objects meet; a fourth would explain anything
 
+  bool first_of_pixel(std::size_t sample) const { return sample == 0 || samples[sample - 1].pixel != samples[sample].pixel; }
   std::int64_t extras() const { return std::int64_t(samples.size()) - replaced; }  ///< samples beside each pixel's first
 };
 

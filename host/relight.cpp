@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "gbuffer/convention.h"
@@ -14,6 +13,7 @@
 #include "host/camera_choice.h"
 #include "host/device.h"
 #include "host/light_records.h"
+#include "host/mixed_pixels.h"
 #include "host/output_layout.h"
 #include "host/self_test.h"
 #include "host/stopwatch.h"
@@ -65,8 +65,6 @@ class Relight {
   glm::dvec3 mean_irradiance();
   int band_rows(const Window& window) const;
   GBuffer read_band(const Window& band);
-  void note_mixed_pixels();
-  void fold_surfaces(const GBuffer& gbuffer, Planes& out) const;
   void keep_for_png(const Planes& out, const Window& band, Picture& picture) const;
 
   void note(const std::string& text) { summary_.notes.push_back(text); }
@@ -88,7 +86,7 @@ class Relight {
   std::unique_ptr<Device> device_;
   Window window_;
   glm::dvec3 ambient_{0};
-  std::int64_t apart_ = 0, partial_ = 0, unexplained_ = 0;  ///< as in Mixtures
+  MixedPixels mixed_pixels_;
 };
 
 /// What can be refused before any work.
@@ -174,17 +172,8 @@ Window rows_of(const Window& window, int first, int count) { return {window.min_
 
 GBuffer Relight::read_band(const Window& band) {
   const Mixtures mixtures = find_mixtures(file_, reading_, band, roles_);
-  apart_ += mixtures.apart;
-  partial_ += mixtures.partial;
-  unexplained_ += mixtures.unexplained;
+  mixed_pixels_.add(mixtures);
   return read_gbuffer(file_, reading_, band, roles_, binding_->spare_planes(), mixtures);
-}
-
-/// A mixed pixel shows the light of all its surfaces, each weighted by its coverage already.
-void Relight::fold_surfaces(const GBuffer& gbuffer, Planes& out) const {
-  const std::size_t pixels = std::size_t(gbuffer.window.pixels());
-  for (int p = 0; p < layout_.planes(); ++p)
-    for (std::size_t k = 0; k < gbuffer.homes.size(); ++k) out.plane(p)[gbuffer.homes[k]] += out.plane(p)[pixels + k];
 }
 
 Frame Relight::frame_of(const GBuffer& gbuffer, const Planes& out) const {
@@ -297,16 +286,6 @@ std::vector<std::pair<std::string, std::string>> Relight::metadata() const {
   return texts;
 }
 
-void Relight::note_mixed_pixels() {
-  const std::int64_t mixed = apart_ + partial_ + unexplained_;
-  if (mixed == 0) return;
-  char share[32];
-  std::snprintf(share, sizeof share, "%.1f %%", 100.0 * double(mixed) / double(std::max<std::int64_t>(1, summary_.surface_pixels)));
-  note(std::to_string(mixed) + " of " + std::to_string(summary_.surface_pixels) + " pixels mix surfaces or background (" + share +
-       "): " + std::to_string(apart_) + " shaded surface by surface, " + std::to_string(partial_) + " with one surface, " +
-       std::to_string(unexplained_) + " unexplained and shaded as the mean (--edges as-stored shades all so)");
-}
-
 void Relight::shade_and_write() {
   ambient_ = lights_.ambient;
   if (lights_.ambient_fraction != 0) ambient_ += lights_.ambient_fraction / std::numbers::pi * mean_irradiance();
@@ -338,7 +317,7 @@ void Relight::shade_and_write() {
   }
   if (summary_.bad_pixels)
     note(std::to_string(summary_.bad_pixels) + " pixels have a NaN or infinite position or normal: written as showing no surface");
-  note_mixed_pixels();
+  if (const std::string sentence = mixed_pixels_.sentence(summary_.surface_pixels); !sentence.empty()) note(sentence);
   // The picture first: where it cannot be written, the image is not either.
   if (job_.png) write_png(*job_.png, picture, job_.exposure, job_.format.overwrite);
   writer.commit();

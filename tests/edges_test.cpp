@@ -198,7 +198,7 @@ std::vector<Case> cases() {
     if (facts.contains("relume_shade")) c.options = facts["relume_shade"].get<std::vector<std::string>>();
     if (fs::exists(folder / "materials.json")) c.options = {"--materials", (folder / "materials.json").string()};
     if (fs::exists(folder / "rig.gltf")) c.rig = folder / "rig.gltf";
-    if (std::string(name).starts_with("pbrt")) c.why_not = "one ball and background: albedo carries the coverage, no two surfaces mix";
+    if (std::string(name).starts_with("pbrt")) c.why_not = "only balls and background: albedo carries the coverage, no two surfaces mix";
     all.push_back(c);
   }
   const fs::path conventions = corpus / "conventions";
