@@ -59,11 +59,12 @@ FilteredLayers::FilteredLayers(const ExrFile& file, const Reading& reading, cons
   add(reading, "depth", Mean::none, of_places, true);
   for (const std::string& role : roles) add(reading, role, Mean::over_pixel, of_numbers);
   position_ = layer("position"), ids_ = layer("ids"), alpha_ = layer("coverage"), depth_ = layer("depth");
+  if (reading.normal_space == Space::view_ray) position_ = nullptr;  // a frame for each pixel: normals and chords do not compare
   read(file, reading);
   const std::size_t pixels = std::size_t(window_.pixels());
   kinds_.resize(pixels);
   for (std::size_t i = 0; i < pixels; ++i) kinds_[i] = kind_by_itself(reading, i);
-  if (places != Mean::none && reading.normal_space != Space::view_ray) settle_by_neighbours(reading.mean_over_hits);
+  if (places != Mean::none && position_) settle_by_neighbours(reading.mean_over_hits);
 }
 
 /// A mean of two positions lies on neither surface, though normals and ids may be alike. Means over hits do not tell background by themselves.
@@ -221,6 +222,7 @@ bool misses_centres(const Reading& reading, const std::vector<Sighting>& mixed, 
 }  // namespace
 
 bool looks_filtered(const ExrFile& file, const Reading& reading) {
+  if (reading.normal_in_tangent_frame) return false;  // its normals do not tell surfaces apart
   const std::vector<SampledBand> bands = sample_rows(file, reading, {"normal", "ids"});
   if (!reading.mean_over_hits && std::none_of(bands.begin(), bands.end(), [&](const SampledBand& band) { return shows_means(reading, band); }))
     return false;

@@ -1,4 +1,4 @@
-// Layers whose pixels are means over several samples, over a window and its surroundings: which pixels show one surface alone, and which are one.
+// Layers whose pixels are means over several samples: which pixels of a window and its surroundings show one surface alone, and which are mixed.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -41,12 +41,15 @@ class FilteredLayers {
   bool inside(int x, int y) const { return x >= window_.min_x && x < window_.max_x && y >= window_.min_y && y < window_.max_y; }
   const float* value(std::size_t i) const { return values_.data() + i * std::size_t(components_); }
 
-  bool empty(std::size_t i) const { return kinds_[i] == Kind::empty; }  ///< no surface
-  bool pure(std::size_t i) const { return kinds_[i] == Kind::pure; }    ///< one surface alone
-  bool mixed(std::size_t i) const {
-    return kinds_[i] == Kind::mixed || kinds_[i] == Kind::fringe;
-  }                                                      ///< perhaps a mean of several, or of one and nothing
-  bool one_surface(std::size_t a, std::size_t b) const;  ///< two neighbours that are pure: of the same surface
+  /// No surface.
+  bool empty(std::size_t i) const { return kinds_[i] == Kind::empty; }
+  /// One surface alone.
+  bool pure(std::size_t i) const { return kinds_[i] == Kind::pure; }
+  /// Perhaps a mean of several surfaces, or of one and nothing.
+  bool mixed(std::size_t i) const { return kinds_[i] == Kind::mixed || kinds_[i] == Kind::fringe; }
+  /// Whether two neighbours show the same surface.
+  bool one_surface(std::size_t a, std::size_t b) const;
+
   /// From one surface to the next.
   struct Steps {
     std::int64_t soft = 0;  ///< pixels that lie between two
@@ -56,7 +59,13 @@ class FilteredLayers {
   void look(Steps& steps, std::vector<Sighting>& mixed, std::vector<Sighting>& pure) const;
 
  private:
-  enum class Kind : char { empty, broken, pure, mixed, fringe };
+  enum class Kind : char {
+    empty,
+    broken,  ///< a value is not finite
+    pure,
+    mixed,
+    fringe  ///< pure by its own layers, but beside another surface or background where these do not tell coverage
+  };
 
   void add(const Reading& reading, const std::string& role, Mean mean, double resolution, bool relative = false);
   void read(const ExrFile& file, const Reading& reading);
