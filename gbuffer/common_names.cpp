@@ -85,8 +85,9 @@ void split_space(Words& words) {
   static constexpr std::array<std::string_view, 6> spaces{"world", "camera", "cam", "view", "eye", "ws"};
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string word = words[i];
+    if (plain_words.contains(word) || camera_words.contains(word)) continue;
     for (const std::string_view space : spaces) {
-      if (word.size() <= space.size() || plain_words.contains(word)) continue;
+      if (word.size() <= space.size()) continue;
       const bool before = word.starts_with(space), after = word.ends_with(space);
       if (!before && !after) continue;
       words[i] = before ? word.substr(space.size()) : word.substr(0, word.size() - space.size());

@@ -21,6 +21,9 @@ const std::vector<Convention>& conventions() {
 
 namespace {
 
+/// What speaks more is taken: a renderer's attribute is its own, names of layers others may use too, a tool only passes a file on.
+enum Weight { nothing, anyone, tool, names, header };
+
 /// Nuke keeps the attributes of what it read, some versions under a prefix of their own.
 std::string without_nuke(std::string attribute) {
   for (const char* prefix : {"nuke/", "exr/"})
@@ -60,19 +63,20 @@ std::string layers_found(const Mark& mark, const std::vector<Layer>& layers) {
 Evidence evidence_of(const Mark& mark, const Convention& convention, const ExrFile& file, const std::vector<Layer>& layers) {
   const std::string attribute = mark.attribute ? attribute_found(mark, file) : "", named = layers_found(mark, layers);
   if ((mark.attribute && attribute.empty()) || (!mark.layers.empty() && named.empty())) return {};
-  if (convention.writes_again) return {1, "header attribute " + attribute + ", which says who wrote it last, and no renderer's marks"};
-  if (mark.attribute) return {3, "header attribute " + attribute + (named.empty() ? "" : " and layers " + named)};
-  return {2, "layers " + named + ": likely, not certain"};
+  if (convention.writes_again) return {tool, "header attribute " + attribute + ", which says who wrote it last, and no renderer's marks"};
+  if (mark.attribute) return {header, "header attribute " + attribute + (named.empty() ? "" : " and layers " + named)};
+  return {names, "layers " + named + ": likely, not certain"};
 }
 
 }  // namespace
 
 Evidence evidence_for(const Convention& convention, const ExrFile& file, const std::vector<Layer>& layers) {
+  if (convention.marks.empty() && !convention.recognise) return {anyone, "no renderer's marks: common names"};
   Evidence best;
   for (const Mark& mark : convention.marks)
     if (Evidence evidence = evidence_of(mark, convention, file, layers); evidence.weight > best.weight) best = std::move(evidence);
-  if (best.weight > 0 || !convention.recognise) return best;
-  if (std::string words = convention.recognise(file, layers); !words.empty()) return {words.starts_with("header") ? 3 : 2, std::move(words)};
+  if (best.weight > nothing || !convention.recognise) return best;
+  if (std::string words = convention.recognise(file, layers); !words.empty()) return {words.starts_with("header") ? header : names, std::move(words)};
   return {};
 }
 
@@ -89,6 +93,22 @@ void choose_common_lobes(Reading& reading) {
 }
 
 namespace {
+
+/// DWA takes a channel named Y for luminance, and R G B for colour, and quantises them by what an eye would miss: X and Z of a position stay exact.
+void note_lossy_layers(const ExrFile& file, Reading& reading) {
+  for (const char* role : {"position", "normal"}) {
+    const auto layer = reading.roles.find(role);
+    if (layer == reading.roles.end()) continue;
+    const Imf::Compression codec = file.parts()[std::size_t(layer->second.part)].header.compression();
+    const bool seen = std::any_of(layer->second.channels.begin(), layer->second.channels.end(), [](const std::string& channel) {
+      return std::string_view("RGBY").find(channel.back()) != std::string_view::npos && (channel.size() == 1 || channel[channel.size() - 2] == '.');
+    });
+    if (!seen || (codec != Imf::DWAA_COMPRESSION && codec != Imf::DWAB_COMPRESSION)) continue;
+    reading.notes.push_back(
+        "warning: DWA compression keeps channels named Y only roughly, and R G B too, so positions and normals are off (ZIP keeps them)");
+    return;
+  }
+}
 
 /// The quotient of lit and unlit diffuse light is the albedo, which is of use only where there is none, and takes both.
 void keep_light_for_albedo(Reading& reading) {
@@ -109,6 +129,7 @@ void assign_roles(const Convention& convention, const ExrFile& file, const std::
   if (convention.takes_common_names) assign_common_names(reading, named);
   if (convention.assign) convention.assign(file, layers, reading);
   keep_light_for_albedo(reading);
+  note_lossy_layers(file, reading);
   (convention.choose_lobes ? convention.choose_lobes : choose_common_lobes)(reading);
 }
 

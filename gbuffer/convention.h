@@ -36,7 +36,7 @@ struct Convention {
   const char* name = "";      ///< "mitsuba"
   const char* title = "";     ///< "Mitsuba 3, aov integrator"
   const char* source = "";    ///< where its facts come from
-  std::vector<Mark> marks{};  ///< any of them will do
+  std::vector<Mark> marks{};  ///< any of them will do; without any, and without `recognise`, every file will
   std::vector<Alias> aliases{};
   bool takes_common_names = true;  ///< roles left open go to layers that are named as people commonly name them (gbuffer/common_names.h)
   bool writes_again = false;       ///< a tool whose mark says who wrote the file last, and not who rendered it: any renderer's mark comes first
@@ -61,7 +61,7 @@ const std::vector<Convention>& conventions();
 
 /// What of a file speaks for a convention, and how much.
 struct Evidence {
-  int weight = 0;     ///< 0: nothing; 1: a tool's mark; 2: names of layers, which others may use too; 3: the header
+  int weight = 0;     ///< 0: nothing; more is surer: a tool's mark, names of layers, the renderer's header
   std::string words;  ///< "header attribute arnold/version"
 };
 Evidence evidence_for(const Convention& convention, const ExrFile& file, const std::vector<Layer>& layers);

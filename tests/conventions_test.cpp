@@ -323,11 +323,17 @@ TEST(Conventions, RolesOfTheCorpus) {
       if (role == "beauty") continue;
       ASSERT_TRUE(reading.roles.contains(role)) << role;
       EXPECT_EQ(reading.roles.at(role).channels, truth["channels"].get<std::vector<std::string>>()) << role;
-      if (truth.contains("part")) EXPECT_EQ(file.parts()[std::size_t(reading.roles.at(role).part)].name, truth["part"]) << role;
+      if (truth.contains("part")) {
+        EXPECT_EQ(file.parts()[std::size_t(reading.roles.at(role).part)].name, truth["part"]) << role;
+      }
       const std::string space = truth.value("space", "world");
       const Space expected = space == "vray" ? Space::view_ray : space == "camera_forward" || space == "camera" ? Space::camera : Space::world;
-      if (role == "normal") EXPECT_EQ(reading.normal_space, expected);
-      if (role == "position") EXPECT_EQ(reading.position_space, expected);
+      if (role == "normal") {
+        EXPECT_EQ(reading.normal_space, expected);
+      }
+      if (role == "position") {
+        EXPECT_EQ(reading.position_space, expected);
+      }
     }
     const bool rough = answer_of(path)["layers"].contains("roughness");
     EXPECT_EQ(reading.default_diffuse + "+" + reading.default_specular, rough ? "gltf+ggx" : "lambert+none");

@@ -29,16 +29,6 @@ const std::vector<Alias> aliases{{"position", {"Position"}, Says::world},
 
 std::string recognise(const ExrFile& file, const std::vector<Layer>&) { return blender_marks(file); }
 
-/// DWA takes a channel named Y for luminance and quantises it by what an eye would miss: X and Z of a position stay exact, Y does not.
-void note_lossy_position(const ExrFile& file, const std::vector<Layer>&, Reading& reading) {
-  const auto position = reading.roles.find("position");
-  if (position == reading.roles.end()) return;
-  const Imf::Compression codec = file.parts()[std::size_t(position->second.part)].header.compression();
-  if (codec == Imf::DWAA_COMPRESSION || codec == Imf::DWAB_COMPRESSION)
-    reading.notes.push_back(
-        "warning: DWA compression keeps channels named Y only roughly, so positions and normals are off (ZIP, the default, keeps them)");
-}
-
 /// Cycles' own lobes where the passes that they need are there.
 void choose_lobes(Reading& reading) {
   if (reading.roles.contains("glossy_albedo") || reading.roles.contains("base_color")) {
@@ -91,7 +81,6 @@ const Convention convention_blender{
     .colour_premultiplied = true,
     .recognise = recognise,
     .recognised_by = "a layer Combined, DiffCol, GlossCol, Diffuse Color or Glossy Color of some view layer",
-    .assign = note_lossy_position,
     .choose_lobes = choose_lobes,
     .settle = settle_camera,
 };

@@ -8,7 +8,7 @@ const Convention convention_delight{
     .name = "delight",
     .title = "3Delight",
     .source = "exrs issue 90, a listed header; gaffer e3b6028, startup/gui/outputs.py",
-    .marks = {{.attribute = "software", .text = "3delight"}, {.attribute = "Software", .text = "3delight"}},
+    .marks = {{.attribute = "software", .text = "3delight"}},
     .aliases = {{"normal", {"N.world", "N_world"}, Says::world},
                 {"normal", {"N.camera", "N_camera"}, Says::camera},
                 {"position", {"P.world", "P_world"}, Says::world},

@@ -2,18 +2,12 @@
 #include "gbuffer/common_names.h"
 
 namespace relume {
-namespace {
-
-std::string recognise(const ExrFile&, const std::vector<Layer>&) { return "no renderer's marks: common names"; }
-
-}  // namespace
 
 extern const Convention convention_generic;
 const Convention convention_generic{
     .name = "generic",
     .title = "plain layer names",
     .source = "names collected from many renderers' documents and files",
-    .recognise = recognise,
     .recognised_by = "what no other convention claims",
     .assign = take_diffuse,
 };

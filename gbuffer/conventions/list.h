@@ -13,8 +13,8 @@
   CONVENTION(unreal)                   \
   CONVENTION(delight)                  \
   CONVENTION(corona)                   \
-  CONVENTION(luxcore)                  \
   CONVENTION(octane)                   \
+  CONVENTION(luxcore)                  \
   CONVENTION(renderman)                \
   CONVENTION(mantra)                   \
   CONVENTION(moonray)                  \
