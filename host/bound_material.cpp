@@ -42,12 +42,18 @@ class Binder {
   }
 
   void choose_lobes() {
-    if (material_.diffuse.empty()) material_.diffuse = reading_.default_diffuse;
+    if (material_.diffuse.empty()) material_.diffuse = default_diffuse();
     if (material_.specular.empty()) material_.specular = default_specular();
     diffuse_ = material_.diffuse == "none" ? nullptr : &lobe_named(true, material_.diffuse);
     specular_ = material_.specular == "none" ? nullptr : &lobe_named(false, material_.specular);
     bound_.choice.diffuse = diffuse_ ? diffuse_->number : int(DIFFUSE_none);
     bound_.choice.specular = specular_ ? specular_->number : int(SPECULAR_none);
+  }
+
+  /// The convention's; but glTF's diffuse light leaves room for glTF's own highlight, not for another that the user asks for.
+  std::string default_diffuse() const {
+    const bool paired = material_.specular.empty() || material_.specular == reading_.default_specular;
+    return reading_.default_diffuse == "gltf" && !paired ? "lambert" : reading_.default_diffuse;
   }
 
   /// The convention's; but who sets a highlight's width wants a highlight, also where the file tells of none.

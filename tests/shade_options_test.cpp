@@ -162,7 +162,7 @@ TEST_F(ShadeOptions, SummaryForPrograms) {
   EXPECT_EQ(json["height"], 16);
   EXPECT_EQ(json["lights"], 1);
   EXPECT_EQ(json["bands"], 1);
-  EXPECT_EQ(json["programs"], nlohmann::json({"lambert + ggx (schlick, smith)"}));
+  EXPECT_EQ(json["programs"], nlohmann::json({"gltf + ggx (schlick, smith)"}));
   EXPECT_GT(json["surface_pixels"], 100);
   EXPECT_GT(json["seconds"]["shade"], 0.0);
 }

@@ -8,20 +8,18 @@ const Convention convention_renderman{
     .name = "renderman",
     .title = "RenderMan 22 and later",
     .source = "RenderManForBlender 4c13c65, rman_dspychan_definitions.json; rmanwiki.pixar.com 11470996 (space of Nn and P: not verified)",
-    .marks = {{.attribute = "software", .text = "renderman"},
+    .marks = {{.attribute = "Software", .text = "renderman"},
               {.attribute = "Software", .text = "prman"},
               {.attribute = "rman*"},
-              {.layers = {"__Nworld"}},
-              {.layers = {"Nworld"}},
-              {.layers = {"Pworld"}},
+              {.layers = {"Nworld", "Pworld"}},  // also written __Nworld, __Pworld
               {.layers = {"Nn", "P"}}},
-    .aliases = {{"normal", {"Nworld", "__Nworld"}, Says::world},
+    .aliases = {{"normal", {"Nworld"}, Says::world},
                 {"normal", {"Nn"}, Says::camera_forward},
-                {"position", {"Pworld", "__Pworld"}, Says::world},
+                {"position", {"Pworld"}, Says::world},
                 {"position", {"P"}, Says::camera_forward},
-                {"depth", {"z", "zfiltered", "depth", "__depth"}},
+                {"depth", {"z", "zfiltered", "depth"}},
                 {"albedo", {"albedo", "diffuse_color"}},
-                {"uv", {"__st", "st"}}},
+                {"uv", {"st"}}},
 };
 
 }  // namespace relume
