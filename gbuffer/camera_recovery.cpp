@@ -12,6 +12,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <random>
 
 #include "gbuffer/camera_refinement.h"
 
@@ -212,22 +213,27 @@ Camera camera_of(const Fit& fit, bool orthographic, const std::vector<Sighting>&
   return orthographic ? orthographic_camera(fit.projection, sightings, display) : perspective_camera(fit.projection, sightings);
 }
 
-/// How far apart two halves of the sightings put the viewer, as an angle at the scene. What does not determine a camera answers at random.
+/// How far apart thirds of the sightings put the viewer, as an angle at the scene. What does not determine a camera answers at random.
 double disagreement(const std::vector<Sighting>& sightings, bool orthographic, const Window& display) {
-  std::vector<Sighting> halves[2];
-  for (std::size_t i = 0; i < sightings.size(); ++i) halves[i % 2].push_back(sightings[i]);
-  Camera cameras[2];
-  for (int h = 0; h < 2; ++h)
-    cameras[h] =
-        camera_of(orthographic ? fitted(halves[h], solve_orthographic) : fitted(halves[h], solve_perspective), orthographic, sightings, display);
-  if (orthographic) return glm::distance(cameras[0].backward(), cameras[1].backward());
-  return glm::distance(cameras[0].eye(), cameras[1].eye()) / reach_of(sightings, cameras[0].eye());
+  constexpr std::size_t shares = 3;  // two agree by luck too often
+  std::vector<Sighting> parts[shares];
+  for (std::size_t i = 0; i < sightings.size(); ++i) parts[i % shares].push_back(sightings[i]);
+  Camera cameras[shares];
+  for (std::size_t k = 0; k < shares; ++k) {
+    const Fit fit = orthographic ? fitted(parts[k], solve_orthographic) : fitted(parts[k], solve_perspective);
+    cameras[k] = camera_of(fit, orthographic, parts[k], display);
+    refine(cameras[k], parts[k]);
+  }
+  double worst = 0;
+  for (std::size_t k = 0; k < shares; ++k) {
+    const Camera &a = cameras[k], &b = cameras[(k + 1) % shares];
+    worst =
+        std::max(worst, orthographic ? glm::distance(a.backward(), b.backward()) : glm::distance(a.eye(), b.eye()) / reach_of(sightings, a.eye()));
+  }
+  return worst;
 }
 
-}  // namespace
-
-Recovery recover(const std::vector<Sighting>& sightings, const Window& display, double max_residual) {
-  if (sightings.size() < 8) return {{}, "only " + std::to_string(sightings.size()) + " usable positions"};
+Recovery recovered_from(const std::vector<Sighting>& sightings, const Window& display, double max_residual) {
   if (flat(sightings)) return {{}, "all positions lie in one plane"};
   const Fit perspective = fitted(sightings, solve_perspective), affine = fitted(sightings, solve_orthographic);
   // A perspective camera fits an orthographic image too, only a little better; a thousandth of a pixel is what float positions leave.
@@ -237,14 +243,61 @@ Recovery recover(const std::vector<Sighting>& sightings, const Window& display, 
   if (!(fit.residual <= max_residual))
     return {{}, "no camera sees the positions at their pixels (best: " + std::to_string(fit.residual) + " pixels off)"};
   constexpr double too_uncertain = 0.01;  // half a degree of viewing direction: more is visible in highlights
-  if (sightings.size() >= 16 && !(disagreement(sightings, orthographic, display) < too_uncertain))
+  if (sightings.size() >= 24 && !(disagreement(sightings, orthographic, display) < too_uncertain))
     return {{}, "the positions lie too nearly in one plane"};
   Camera camera = camera_of(fit, orthographic, sightings, display);
   refine(camera, sightings);
   set_extent(camera, *camera.lens, display);
   camera.source = "recovered from the positions";
-  camera.residual = reprojection_error(camera, sightings);
   return {camera, ""};
+}
+
+std::vector<double> errors_of(const Projection34& projection, const std::vector<Sighting>& sightings) {
+  std::vector<double> errors;
+  for (const Sighting& s : sightings) {
+    const Vector3d p = projection.leftCols<3>() * eigen(s.position) + projection.col(3);
+    const double error = std::hypot(p.x() / p.z() - s.x, p.y() / p.z() - s.y);
+    errors.push_back(std::isfinite(error) ? error : std::numeric_limits<double>::infinity());
+  }
+  return errors;
+}
+
+/// The sightings that go with the best of many cameras through a few of them each (least median of squares, Rousseeuw 1984): what is left when up
+/// to a third were seen elsewhere.
+std::vector<Sighting> consensus(const std::vector<Sighting>& sightings) {
+  constexpr int trials = 400;       // with a third astray, 16 of them draw good sightings alone
+  constexpr std::size_t drawn = 8;  // 6 determine a camera; 2 more steady it against rounding
+  std::mt19937 random(1);
+  std::vector<double> best(sightings.size(), std::numeric_limits<double>::infinity());
+  double least = median(best);
+  for (int trial = 0; trial < trials; ++trial) {
+    std::vector<Sighting> few;
+    for (std::size_t i = 0; i < drawn; ++i) few.push_back(sightings[random() % sightings.size()]);
+    const Normaliser normaliser(few);
+    const Projection34 projection = normaliser.undone(solve_perspective(few, normaliser, VectorXd::Ones(drawn)).projection);
+    std::vector<double> errors = errors_of(projection, sightings);
+    if (const double middle = median(errors); middle < least) least = middle, best = std::move(errors);
+  }
+  std::vector<Sighting> kept;
+  for (std::size_t i = 0; i < sightings.size(); ++i)
+    if (best[i] <= 3 * least) kept.push_back(sightings[i]);
+  return kept;
+}
+
+}  // namespace
+
+Recovery recover(const std::vector<Sighting>& sightings, const Window& display, double max_residual) {
+  if (sightings.size() < 8) return {{}, "only " + std::to_string(sightings.size()) + " usable positions"};
+  Recovery recovery = recovered_from(sightings, display, max_residual);
+  constexpr std::size_t many = 64;  // fewer agree by chance
+  if (!recovery.camera && sightings.size() >= many && !flat(sightings)) {
+    const std::vector<Sighting> kept = consensus(sightings);
+    const double share = double(kept.size()) / double(sightings.size());
+    // Without strays a second try is another throw of the dice, not better knowledge.
+    if (share > 0.5 && share < 0.95) recovery.camera = recovered_from(kept, display, max_residual).camera;
+  }
+  if (recovery.camera) recovery.camera->residual = reprojection_error(*recovery.camera, sightings);
+  return recovery;
 }
 
 std::optional<Camera> recover_camera(const std::vector<Sighting>& sightings, const Window& display, double max_residual) {

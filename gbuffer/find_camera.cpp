@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "gbuffer/camera_header.h"
 #include "gbuffer/layer_frame.h"
@@ -12,8 +13,6 @@
 
 namespace relume {
 namespace {
-
-constexpr double agreement = 1.0;  ///< pixels: beyond this a camera is not the one that saw the file
 
 std::string number(double value) {
   char text[32];
@@ -27,13 +26,32 @@ std::string point(const glm::dvec3& p) { return "(" + number(p.x) + ", " + numbe
 struct Evidence {
   std::vector<Sighting> sightings;
   std::vector<glm::dvec3> normals;
+  double agreement = 1;  ///< pixels: beyond this a camera is not the one that saw the file
 };
+
+/// Half-precision positions far from the origin are rounded by more than a pixel: what their last bit is worth in pixels.
+double rounding_of(const Evidence& evidence, const Reading& reading) {
+  const auto& types = reading.roles.at("position").types;
+  if (evidence.sightings.empty() || std::find(types.begin(), types.end(), SampleType::half_float) == types.end()) return 0;
+  const double n = double(evidence.sightings.size());
+  glm::dvec3 middle{0};
+  glm::dvec2 pixel{0};
+  for (const Sighting& s : evidence.sightings) middle += s.position / n, pixel += glm::dvec2(s.x, s.y) / n;
+  double size = 0, spread = 0, pixels = 0;
+  for (const Sighting& s : evidence.sightings) {
+    size += glm::length(s.position);
+    spread += glm::distance(s.position, middle);
+    pixels += glm::distance(glm::dvec2(s.x, s.y), pixel);
+  }
+  return spread > 0 ? 0.5 * std::ldexp(size / n, -11) * pixels / spread : 0;  // half of the 11th bit: what rounding leaves
+}
 
 Evidence evidence_of(const ExrFile& file, const Reading& reading) {
   Evidence evidence;
   if (!reading.roles.contains("position")) return evidence;
   const auto bands = sample_rows(file, reading, {"position", "normal", "depth", "coverage"});
   evidence.sightings = clear_sightings(bands, reading, evidence.normals);
+  evidence.agreement = std::max(evidence.agreement, rounding_of(evidence, reading));
   for (Sighting& s : evidence.sightings) s.position = reading.position_scale * in_axes(reading.position_axes, s.position);
   return evidence;
 }
@@ -52,7 +70,7 @@ void turn_to_normals(Camera& camera, const Evidence& evidence, const Reading& re
 }
 
 Recovery recovered(const Evidence& evidence, const Reading& reading) {
-  Recovery recovery = recover(evidence.sightings, reading.display_window, agreement);
+  Recovery recovery = recover(evidence.sightings, reading.display_window, evidence.agreement);
   if (!recovery.camera) return recovery;
   turn_to_normals(*recovery.camera, evidence, reading);
   recovery.camera->source = "recovered from " + reading.roles.at("position").layer;
@@ -68,14 +86,14 @@ std::vector<Camera> candidates_of(const ExrFile& file, const Reading& reading) {
 
 /// The positions' own lens for a camera that they bear out: a header's window is often not all in its matrices (pbrt). A lens that the header
 /// states and they contradict is worth a word.
-void take_lens(Camera& camera, const PoseFit& fit, const std::vector<Sighting>& sightings, const Reading& reading, std::vector<std::string>& notes) {
-  const double stated = camera.lens ? reprojection_error(camera, sightings) : 0;
+void take_lens(Camera& camera, const PoseFit& fit, const Evidence& evidence, Reading& reading) {
+  const double stated = camera.lens ? reprojection_error(camera, evidence.sightings) : 0;
   camera.residual = fit.residual;
-  if (fit.residual > agreement) return;
+  if (fit.residual > evidence.agreement) return;
   set_extent(camera, fit, reading.display_window);
-  if (stated > agreement)
-    notes.push_back("the lens that " + camera.source + " tells is " + number(stated) +
-                    " pixels off the positions' places: the lens that the positions tell is used");
+  if (stated > evidence.agreement)
+    reading.notes.push_back("the lens that " + camera.source + " tells is " + number(stated) +
+                            " pixels off the positions' places: the lens that the positions tell is used");
 }
 
 /// The best of the header's cameras, with its residual.
@@ -88,8 +106,22 @@ std::optional<Camera> stated_camera(const ExrFile& file, Reading& reading, const
     best = std::move(camera);
     best_fit = fit;
   }
-  if (best && !evidence.sightings.empty()) take_lens(*best, best_fit, evidence.sightings, reading, reading.notes);
+  if (best && !evidence.sightings.empty()) take_lens(*best, best_fit, evidence, reading);
   return best;
+}
+
+/// The camera that saw the positions, where that is plainly another than this one.
+std::optional<Camera> contradicting(const Camera& camera, const Evidence& evidence, const Reading& reading) {
+  constexpr double suspicious = 0.05;  // pixels; positions in half precision leave less
+  if (camera.residual < suspicious) return {};
+  const Recovery recovery = recovered(evidence, reading);
+  if (!recovery.camera || recovery.camera->residual > 0.5 * camera.residual) return {};
+  const double distance = glm::distance(evidence.sightings.front().position, recovery.camera->eye());
+  const bool perspective = recovery.camera->projection == Camera::Projection::perspective;
+  const double apart =
+      perspective ? glm::distance(camera.eye(), recovery.camera->eye()) / distance : glm::distance(camera.backward(), recovery.camera->backward());
+  // A thousandth in viewing direction shows only in the sharpest highlights.
+  return camera.residual <= evidence.agreement && apart < 1e-3 ? std::nullopt : recovery.camera;
 }
 
 /// A camera from outside is obeyed, but one that did not see this file is worth a word.
@@ -97,17 +129,11 @@ void check_given(Camera& given, const Evidence& evidence, Reading& reading) {
   if (evidence.sightings.empty()) return;
   const PoseFit fit = fit_pose(given, evidence.sightings);
   given.residual = fit.residual;
-  if (fit.residual <= agreement) set_extent(given, fit, reading.display_window);
-  constexpr double suspicious = 0.05;  // pixels; positions in half precision leave less
-  if (given.residual < suspicious) return;
-  const Recovery recovery = recovered(evidence, reading);
-  if (!recovery.camera || recovery.camera->residual > 0.5 * given.residual) return;
-  const double distance = glm::distance(evidence.sightings.front().position, recovery.camera->eye());
-  const bool perspective = recovery.camera->projection == Camera::Projection::perspective;
-  const double apart =
-      perspective ? glm::distance(given.eye(), recovery.camera->eye()) / distance : glm::distance(given.backward(), recovery.camera->backward());
-  if (given.residual <= agreement && apart < 1e-3) return;  // a thousandth in viewing direction shows only in the sharpest highlights
-  const std::string place = perspective ? "from " + point(recovery.camera->eye()) : "along " + point(-recovery.camera->backward());
+  if (fit.residual <= evidence.agreement) set_extent(given, fit, reading.display_window);
+  const auto other = contradicting(given, evidence, reading);
+  if (!other) return;
+  const bool perspective = other->projection == Camera::Projection::perspective;
+  const std::string place = perspective ? "from " + point(other->eye()) : "along " + point(-other->backward());
   reading.notes.push_back("warning: the camera given (" + given.source + ") sees the positions " + number(given.residual) +
                           " pixels off their places; they were seen " + place + " (--camera auto uses that)");
 }
@@ -119,7 +145,7 @@ void lens_of_camera_space(Camera& camera, const Evidence& evidence, const Readin
   at_origin.world_from_camera = glm::dmat4(1);
   const PoseFit fit = fit_pose(at_origin, evidence.sightings);
   camera.residual = fit.residual;
-  if (fit.residual <= agreement) set_extent(camera, fit, reading.display_window);
+  if (fit.residual <= evidence.agreement) set_extent(camera, fit, reading.display_window);
 }
 
 /// Layers in camera space can only be lit from a world if a camera links the two; without one the camera's space is the world.
@@ -184,7 +210,7 @@ void choose(const ExrFile& file, const ReadingOptions& options, Reading& reading
   }
   const std::optional<Camera> stated = options.recover_camera ? std::nullopt : stated_camera(file, reading, evidence);
   const bool unchecked = evidence.sightings.empty();
-  if (stated && (unchecked || stated->residual <= agreement))
+  if (stated && (unchecked || (stated->residual <= evidence.agreement && !contradicting(*stated, evidence, reading))))
     reading.camera = stated;
   else
     recover_or_say_why(evidence, reading, stated);

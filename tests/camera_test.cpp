@@ -90,6 +90,53 @@ TEST(Camera, NoiseAndOutliers) {
   EXPECT_LT(found->residual, 0.05);
 }
 
+TEST(Camera, AThirdOfThePositionsAstray) {
+  const MadeUp made{looking({7, -1, 9}, {5, -3, 1})};
+  auto sightings = cloud(made, 2000, 1, 0, 0);
+  const auto clean = sightings;
+  for (std::size_t i = 0; i < sightings.size(); i += 3) sightings[i].position = clean[(7 * i + 11) % clean.size()].position;
+  const auto found = recover_camera(sightings, display);
+  ASSERT_TRUE(found);
+  EXPECT_LT(glm::distance(found->eye(), made.camera.eye()), 1e-6);
+}
+
+TEST(Camera, NearlyFlatScenesAreRefusedWhereRoundingHidesTheViewer) {
+  const MadeUp made{looking({5, -3, 12}, {5, -3, 1})};
+  EXPECT_TRUE(recover_camera(cloud(made, 2000, 0.01, 1e-7, 0), display));
+  const Recovery hidden = recover(cloud(made, 2000, 0.01, 3e-3, 0), display);
+  EXPECT_FALSE(hidden.camera);
+  EXPECT_NE(hidden.why_not.find("too nearly in one plane"), std::string::npos) << hidden.why_not;
+}
+
+TEST(Camera, TheLensIsRecoveredAndTheResidualIsItsOwn) {
+  const MadeUp made{looking({7, -1, 9}, {5, -3, 1}), 900, 640, 100, 300};
+  const auto sightings = cloud(made, 500, 1, 1e-4, 0);
+  const auto found = recover_camera(sightings, display);
+  ASSERT_TRUE(found && found->lens);
+  EXPECT_NEAR(found->lens->scale_x, 900, 0.2);
+  EXPECT_NEAR(found->lens->scale_y, 640, 0.2);
+  EXPECT_NEAR(found->lens->centre_x, 100, 0.5);
+  EXPECT_NEAR(found->lens->centre_y, 300, 0.5);
+  EXPECT_EQ(found->residual, reprojection_error(*found, sightings));
+  EXPECT_GT(found->residual, 0);
+}
+
+TEST(Camera, LensOfAFieldOfViewOrAHeight) {
+  Camera camera;
+  EXPECT_FALSE(lens_of(camera, display, 1)) << "nothing tells";
+  camera.vertical_fov = 90;
+  const Window cropped{10, 20, 650, 380};
+  const auto lens = lens_of(camera, cropped, 2);
+  ASSERT_TRUE(lens);
+  EXPECT_NEAR(lens->scale_y, 180, 1e-9);
+  EXPECT_NEAR(lens->scale_x, 90, 1e-9) << "pixels twice as wide as high";
+  EXPECT_EQ(lens->centre_x, 330);
+  EXPECT_EQ(lens->centre_y, 200);
+  camera.projection = Camera::Projection::orthographic;
+  camera.height = 3;
+  EXPECT_NEAR(lens_of(camera, display, 1)->scale_y, 120, 1e-9);
+}
+
 TEST(Camera, NoneFromAPlane) {
   const MadeUp made{looking({7, -1, 9}, {5, -3, 1})};
   for (const double noise : {0.0, 1e-7, 1e-4}) {
