@@ -1,6 +1,7 @@
 // Gathers what each way of stating a camera finds in a header.
 #include "gbuffer/camera_header.h"
 
+#include "gbuffer/cameras/field_of_view.h"
 #include "gbuffer/cameras/header_values.h"
 #include "gbuffer/cameras/list.h"
 
@@ -25,14 +26,29 @@ std::vector<Camera> header_cameras(const Imf::Header& header, const Window& disp
   return cameras;
 }
 
-std::vector<Camera> header_cameras(const ExrFile& file, int part, const Window& display) {
+namespace {
+
+/// The part itself, then others of the same view or of none.
+std::vector<const Part*> parts_about(const ExrFile& file, int part) {
   const Part& own = file.parts()[std::size_t(part)];
-  std::vector<Camera> cameras = header_cameras(own.header, display);
-  for (const Part& other : file.parts()) {
-    if (!cameras.empty()) break;
-    if (other.view == own.view || other.view.empty() || own.view.empty()) cameras = header_cameras(other.header, display);
-  }
-  return cameras;
+  std::vector<const Part*> parts{&own};
+  for (const Part& other : file.parts())
+    if (&other != &own && (other.view == own.view || other.view.empty() || own.view.empty())) parts.push_back(&other);
+  return parts;
+}
+
+}  // namespace
+
+std::vector<Camera> header_cameras(const ExrFile& file, int part, const Window& display) {
+  for (const Part* const about : parts_about(file, part))
+    if (auto cameras = header_cameras(about->header, display); !cameras.empty()) return cameras;
+  return {};
+}
+
+std::optional<Lens> header_lens(const ExrFile& file, int part, const Window& display) {
+  for (const Part* const about : parts_about(file, part))
+    if (const auto lens = stated_lens(HeaderValues(about->header), display)) return lens;
+  return {};
 }
 
 }  // namespace relume

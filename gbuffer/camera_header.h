@@ -3,6 +3,7 @@
 
 #include <ImfHeader.h>
 
+#include <optional>
 #include <vector>
 
 #include "gbuffer/camera.h"
@@ -29,5 +30,8 @@ std::vector<Camera> header_cameras(const Imf::Header& header, const Window& disp
 
 /// Those of the part, else of another part of the same view or of none: many writers describe the camera in the first part only.
 std::vector<Camera> header_cameras(const ExrFile& file, int part, const Window& display);
+
+/// The lens alone, of a header that tells a field of view but no place.
+std::optional<Lens> header_lens(const ExrFile& file, int part, const Window& display);
 
 }  // namespace relume

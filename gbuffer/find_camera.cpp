@@ -165,20 +165,33 @@ void camera_of_camera_space(const ExrFile& file, const ReadingOptions& options, 
   lens_of_camera_space(*reading.camera, evidence_of(file, reading), reading);
 }
 
+/// Lens without a place: the camera's own space is the world, as for layers in camera space.
+void take_lens_alone(const Lens& lens, Reading& reading) {
+  reading.camera = Camera{};
+  reading.camera->lens = lens;
+  reading.camera->source = "the header's field of view";
+  reading.notes.push_back(
+      "the header tells the camera's field of view but not where in the world it stands: lights are taken in camera space, x right, y up, looking "
+      "along -z (--camera FILE names a camera)");
+}
+
 /// A file with depth alone: the camera places its pixels in the world, and nothing in the file can check it.
 void camera_without_positions(const ExrFile& file, const ReadingOptions& options, Reading& reading) {
-  const std::vector<Camera> stated = candidates_of(file, reading);
+  if (options.recover_camera) reading.notes.push_back("--camera auto: there are no positions to recover a camera from");
+  const std::optional<Lens> lens = header_lens(file, reading.part, reading.display_window);
   if (options.camera) {
     reading.camera = options.camera;
+    if (!lens_of(*reading.camera, reading.display_window, reading.pixel_aspect)) reading.camera->lens = lens;
     return;
   }
-  if (options.recover_camera) reading.notes.push_back("--camera auto: there are no positions to recover a camera from");
+  const std::vector<Camera> stated = candidates_of(file, reading);
   const auto with_lens = std::find_if(stated.begin(), stated.end(), [](const Camera& camera) { return camera.lens.has_value(); });
   if (with_lens != stated.end()) {
     reading.camera = *with_lens;
     reading.notes.push_back("the camera is " + with_lens->source + "; there are no positions to check it by (--camera FILE overrules)");
     return;
   }
+  if (stated.empty() && lens) return take_lens_alone(*lens, reading);
   reading.camera.reset();
   reading.notes.push_back(stated.empty() ? "no position layer, and no camera in the header to make positions from depth with "
                                            "(--camera FILE names a rig, a glTF or another EXR; --map position=LAYER names a layer)"

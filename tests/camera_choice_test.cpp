@@ -158,6 +158,14 @@ TEST_F(CameraChoice, DepthAloneWithoutACameraNamesTheOption) {
   EXPECT_NE(notes(blind).find("has no field of view"), std::string::npos) << notes(blind);
 }
 
+TEST_F(CameraChoice, DepthAloneWithAFieldOfViewAloneIsLitInCameraSpace) {
+  const Reading reading = chosen(depth_only, [](Imf::Header& header) { header.insert("CameraFov", Imf::FloatAttribute(float(true_degrees))); });
+  ASSERT_TRUE(reading.camera);
+  EXPECT_EQ(reading.camera->eye(), glm::dvec3(0));
+  expect_true_lens(*reading.camera);
+  EXPECT_NE(notes(reading).find("lights are taken in camera space"), std::string::npos) << notes(reading);
+}
+
 TEST_F(CameraChoice, CameraSpacePositionsTellTheLens) {
   space = Space::camera;
   // Seen from the origin the wall's own space is the camera's.
