@@ -11,6 +11,7 @@
 #include <glm/mat4x4.hpp>
 #include <set>
 
+#include "gbuffer/cryptomatte.h"
 #include "gbuffer/edges.h"
 #include "gbuffer/error.h"
 #include "gbuffer/layer_frame.h"
@@ -180,7 +181,7 @@ class Finisher {
 
   void finish_roles(std::size_t i, double factor) const {
     for (const auto& [role, range] : g_.roles) {
-      if (role == "coverage") continue;
+      if (role == "coverage" || role.starts_with(cryptomatte_role)) continue;
       const double own = role == "albedo" && made_albedo_ ? std::min(factor, 1.0) : factor;  // a quotient carries no coverage
       for (int c = 0; c < range.count; ++c) {
         float& value = g_.planes.plane(range.first + c)[i];

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "gbuffer/convention.h"
+#include "gbuffer/cryptomatte.h"
 #include "gbuffer/error.h"
 #include "gbuffer/filtered_layers.h"
 #include "gbuffer/find_camera.h"
@@ -147,8 +148,18 @@ RoleLayer found_layer(const ExrFile& file, const std::vector<Layer>& layers, con
                    " (there are: " + joined(names) + ")");
 }
 
+bool names_cryptomatte(const ExrFile& file, const Reading& reading, const std::string& name) {
+  const std::vector<Cryptomatte> all = cryptomattes_of(file, reading);
+  return std::any_of(all.begin(), all.end(), [&](const Cryptomatte& c) { return goes_by(c, name); });
+}
+
 void apply_map(const ExrFile& file, const ReadingOptions& options, Reading& reading, const std::vector<Layer>& layers) {
-  for (const auto& [role, name] : options.map) reading.roles[role] = found_layer(file, layers, name, role);
+  for (const auto& [role, name] : options.map) {
+    if (role == "ids" && names_cryptomatte(file, reading, name))
+      reading.ids_cryptomatte = name;
+    else
+      reading.roles[role] = found_layer(file, layers, name, role);
+  }
 }
 
 }  // namespace

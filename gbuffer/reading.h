@@ -72,6 +72,7 @@ struct Reading {
   std::map<std::string, RoleLayer> roles;
   std::map<std::string, std::string> looked_for;  ///< the names tried for each role, for the message where none was found
   std::string view_layer, view;                   ///< those chosen, where the file has them
+  std::string ids_cryptomatte;                    ///< the Cryptomatte that --map ids=NAME means, if it means one (gbuffer/object_ids.h)
   int part = 0;                                   ///< whose windows and attributes the output takes: the part of `position`
   Window data_window, display_window;
   double pixel_aspect = 1;
