@@ -110,7 +110,7 @@ void for_pixels(const GBuffer& gbuffer, const Body& body) {
 
 }  // namespace
 
-ObjectIds::ObjectIds(const ExrFile& file, Reading& reading, const std::string& name, bool by_names) : file_(file) {
+ObjectIds::ObjectIds(const ExrFile& file, Reading& reading, const std::string& name, bool by_names) : file_(&file) {
   const std::vector<Cryptomatte> all = cryptomattes_of(file, reading);
   const std::string& wanted = name.empty() ? reading.ids_cryptomatte : name;
   const auto meant = std::find_if(all.begin(), all.end(), [&](const Cryptomatte& c) { return !wanted.empty() && goes_by(c, wanted); });
@@ -130,13 +130,13 @@ ObjectIds::ObjectIds(const ExrFile& file, Reading& reading, const std::string& n
 void ObjectIds::take_cryptomatte(const Cryptomatte& cryptomatte, Reading& reading) {
   name_ = cryptomatte.name;
   if (!cryptomatte.defect.empty())
-    throw Error(ErrorKind::input, file_.path().string() + ": Cryptomatte " + in_marks(name_) + ": " + cryptomatte.defect);
+    throw Error(ErrorKind::input, file_->path().string() + ": Cryptomatte " + in_marks(name_) + ": " + cryptomatte.defect);
   for (const RoleLayer& level : cryptomatte.levels) {
     roles_.push_back(std::string(cryptomatte_role) + level.layer);
     reading.roles[roles_.back()] = level;
-    keep_within(file_, level, reading);
+    keep_within(*file_, level, reading);
   }
-  manifest_ = manifest_of(file_, cryptomatte);
+  manifest_ = manifest_of(*file_, cryptomatte);
   for (const std::string& note : manifest_.notes) notes_.push_back("Cryptomatte " + in_marks(name_) + ": " + note);
   cryptomatte_ = cryptomatte;
 }
@@ -146,15 +146,15 @@ void ObjectIds::take_plain(Reading& reading) {
   name_ = layer.layer;
   type_ = layer.types.front();
   roles_ = {"ids"};
-  keep_within(file_, layer, reading);
+  keep_within(*file_, layer, reading);
   if (type_ != SampleType::uint32) note_coarse_ids(reading);
 }
 
 void ObjectIds::note_coarse_ids(const Reading& reading) {
-  const Survey survey = survey_of(file_, reading, exact_below(type_));
+  const Survey survey = survey_of(*file_, reading, exact_below(type_));
   const std::string layer = "id layer " + in_marks(name_), of = " of " + std::to_string(survey.seen) + " pixels looked at ";
   if (survey.seen > 0 && survey.no_id == survey.seen)
-    throw Error(ErrorKind::input, file_.path().string() + ": " + layer +
+    throw Error(ErrorKind::input, file_->path().string() + ": " + layer +
                                       " holds no ids: all are negative, NaN or beyond 32 bits (ids are whole numbers " +
                                       "from 0; --map ids=LAYER names another layer)");
   if (survey.no_id > 0)
@@ -210,14 +210,14 @@ std::set<std::uint32_t> ObjectIds::occurring(const std::map<std::uint32_t, std::
   std::set<std::uint32_t> found;
   std::vector<std::uint32_t> ids;
   for (const RoleLayer& level : cryptomatte_->levels) {
-    const Window& all = file_.parts()[std::size_t(level.part)].data_window;
+    const Window& all = file_->parts()[std::size_t(level.part)].data_window;
     const int rows = std::max(1, (1 << 22) / std::max(1, all.width()));  // four million ids: 16 MB
     for (int top = all.min_y; top < all.max_y; top += rows) {
       const Window band{all.min_x, top, all.max_x, std::min(top + rows, all.max_y)};
       for (std::size_t c = 0; c < level.channels.size(); c += 2) {
         ids.resize(std::size_t(band.pixels()));
         const Destination to{level.channels[c], SampleType::float32, ids.data(), sizeof(float), sizeof(float) * std::size_t(band.width())};
-        file_.read(level.part, band, {&to, 1});
+        file_->read(level.part, band, {&to, 1});
         for (const std::uint32_t id : ids)
           if (wanted.contains(id)) found.insert(id);
       }

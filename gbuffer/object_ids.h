@@ -48,7 +48,7 @@ class ObjectIds {
   std::set<std::uint32_t> occurring(const std::map<std::uint32_t, std::string>& wanted) const;
   [[noreturn]] void refuse_unknown(const std::string& called, const std::string& place) const;
 
-  const ExrFile& file_;
+  const ExrFile* file_;  ///< never null
   std::string name_;
   std::optional<Cryptomatte> cryptomatte_;
   Manifest manifest_;

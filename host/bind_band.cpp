@@ -93,32 +93,34 @@ class Reader {
 std::vector<int> Binding::materials_of_pixels(const GBuffer& gbuffer) const {
   const Pixel pixels = gbuffer.samples();
   std::vector<int> material(std::size_t(pixels), fallback_);
+  if (!objects_) return material;
   std::set<std::uint32_t> unknown;
   const float* coverage = gbuffer.planes.plane(gbuffer.coverage.first);
-  if (!gbuffer.ids.empty()) {
-    std::uint32_t last_id = 0;
-    int last = fallback_;
-    bool any = false;
-    for (Pixel i = 0; i < pixels; ++i) {
-      if (coverage[i] <= 0) continue;
-      const std::uint32_t id = gbuffer.ids[std::size_t(i)];
-      if (!any || id != last_id) {
-        const auto found = by_id_.find(id);
-        last_id = id;
-        last = found == by_id_.end() ? fallback_ : found->second;
-        any = true;
-        if (last < 0) unknown.insert(id);
-      }
-      material[std::size_t(i)] = last;
+  const std::vector<std::uint32_t> ids = objects_->most_covering(gbuffer);
+  std::optional<std::uint32_t> last_id;
+  int last = fallback_;
+  for (Pixel i = 0; i < pixels; ++i) {
+    if (coverage[i] <= 0) continue;
+    const std::uint32_t id = ids[std::size_t(i)];
+    if (id != last_id) {
+      const auto found = by_id_.find(id);
+      last_id = id;
+      last = found == by_id_.end() ? fallback_ : found->second;
+      if (last < 0) unknown.insert(id);
     }
+    material[std::size_t(i)] = last;
   }
-  if (!unknown.empty()) {
-    std::string list;
-    for (const std::uint32_t id : unknown)
-      if (list.size() < 200) list += (list.empty() ? "" : ", ") + std::to_string(id);
-    throw Error(ErrorKind::input, place_ + ": no material for object id " + list + " (a \"default\" entry would take them)");
-  }
+  if (!unknown.empty()) refuse_unknown(unknown);
   return material;
+}
+
+void Binding::refuse_unknown(const std::set<std::uint32_t>& ids) const {
+  std::string list;
+  for (const std::uint32_t id : ids)
+    if (list.size() < 200)
+      list += (list.empty() ? "" : ", ") + (objects_->is_cryptomatte() && id == 0 ? "(pixels that show none)" : objects_->called(id));
+  const std::string object = objects_->is_cryptomatte() ? "object " : "object id ";
+  throw Error(ErrorKind::input, place_ + ": no material for " + object + list + " (a \"default\" entry would take them)");
 }
 
 void Binding::fill_program_plane(GBuffer& gbuffer, const std::vector<int>& material, Frame& frame) const {

@@ -45,20 +45,17 @@ Binding::Binding(const Material& command_line, const std::optional<MaterialFile>
   } else {
     for (const auto& [id, material] : file->by_id) by_id_[id] = add(material);
     if (file->fallback) fallback_ = add(*file->fallback);
-    if (!by_id_.empty()) want_ids(file->ids, find, reading);
+    objects_ = file->objects;
+    if (objects_) {
+      for (const std::string& role : objects_->roles()) want(role);
+      notes_.insert(notes_.end(), objects_->notes().begin(), objects_->notes().end());
+    }
   }
   for (const BoundMaterial& material : materials_) {
     choose_program(material);
     gather_roles(material);
   }
   finish_tables();
-}
-
-void Binding::want_ids(const std::string& layer, const LayerFinder& find, Reading& reading) {
-  if (!layer.empty()) reading.roles["ids"] = find(layer);
-  if (!reading.roles.contains("ids"))
-    throw Error(ErrorKind::input, place_ + ": no layer of object ids for the material file (its \"ids\" names one; --map ids=LAYER too)");
-  want("ids");
 }
 
 void Binding::want(const std::string& role) {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,8 @@ class Binding {
   const std::vector<Choice>& programs() const { return programs_; }
   int width_rule(int program) const { return width_rules_[std::size_t(program)]; }
   const std::vector<std::string>& notes() const { return notes_; }
+  /// The layer that tells the objects of a material file apart; null where there is none.
+  const ObjectIds* objects() const { return objects_ ? &*objects_ : nullptr; }
   /// "lambert + ggx (schlick, smith)" for each program.
   std::vector<std::string> descriptions() const;
 
@@ -39,20 +42,21 @@ class Binding {
   void bind_irradiance(GBuffer& gbuffer, Frame& frame) const;
 
  private:
-  void want_ids(const std::string& layer, const LayerFinder& find, Reading& reading);
   void want(const std::string& role);
   void choose_program(const BoundMaterial& material);
   void gather_roles(const BoundMaterial& material);
   void finish_tables();
   std::vector<int> materials_of_pixels(const GBuffer& gbuffer) const;
+  [[noreturn]] void refuse_unknown(const std::set<std::uint32_t>& ids) const;
   void fill_program_plane(GBuffer& gbuffer, const std::vector<int>& material, Frame& frame) const;
   void solve_cycles_surfaces(GBuffer& gbuffer, const Camera& camera) const;
 
   std::string place_;
   std::vector<BoundMaterial> materials_;
   std::map<std::uint32_t, int> by_id_;
-  int fallback_ = -1;            ///< position in materials_, or -1: an unknown id is an error
-  std::vector<int> program_of_;  ///< of each material
+  std::optional<ObjectIds> objects_;  ///< whose ids they are
+  int fallback_ = -1;                 ///< position in materials_, or -1: an unknown id is an error
+  std::vector<int> program_of_;       ///< of each material
   std::vector<Choice> programs_;
   std::vector<int> width_rules_;  ///< of each program
   std::vector<std::string> roles_, notes_;

@@ -223,12 +223,14 @@ MaterialFile read_materials(const std::filesystem::path& file) {
   const std::filesystem::path folder = file == "-" ? std::filesystem::path() : file.parent_path();
   for (const Json::Member& entry : entries.json().members) {
     const std::optional<std::uint32_t> id = id_of(entry.key);
-    if (!id && entry.key != "default") entries.fail(entry.line, in_quotes(entry.key) + ": must be an object id (0..4294967295) or \"default\"");
+    if (entry.key.empty()) entries.fail(entry.line, "\"\": must be an object's id (0..4294967295) or name, or \"default\"");
     const Material material = read_material(ObjectReader(entry.value, name, "materials[" + in_quotes(entry.key) + "]"), name, folder);
     if (id)
       materials.by_id[*id] = material;
-    else
+    else if (entry.key == "default")
       materials.fallback = material;
+    else
+      materials.by_name[entry.key] = material;
   }
   return materials;
 }

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "gbuffer/object_ids.h"
 #include "host/lobes.h"
 
 namespace relume {
@@ -36,9 +37,11 @@ struct Material {
 };
 
 struct MaterialFile {
-  std::string ids;  ///< the layer with the ids, empty: the file's "ids" role
+  std::string ids;  ///< the layer with the ids or the Cryptomatte; empty: the file's own
   std::map<std::uint32_t, Material> by_id;
-  std::optional<Material> fallback;  ///< "default"
+  std::map<std::string, Material> by_name;  ///< objects of a Cryptomatte, until find_objects() puts them to ids
+  std::optional<ObjectIds> objects;         ///< whose ids they are, once find_objects() has looked
+  std::optional<Material> fallback;         ///< "default"
 };
 
 /// Strict, like read_rig. Lobe and parameter names are checked against the lists (host/lobes.h). "-" is standard input.

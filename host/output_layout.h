@@ -13,6 +13,8 @@ struct OutputLayout {
   int lights = -1;                                        ///< of the first light; each light has three
 
   int planes() const { return int(channels.size()); }
+  /// The total and what it is made of: those that every light adds to.
+  int colours() const { return 1 + (diffuse >= 0) + (specular >= 0) + (ambient >= 0); }
 
   /// Three planes named "<layer>.R" and so on; the first of them.
   int add_colour(const std::string& layer) {

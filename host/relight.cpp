@@ -12,7 +12,8 @@
 #include "host/binding.h"
 #include "host/camera_choice.h"
 #include "host/device.h"
-#include "host/light_records.h"
+#include "host/light_links.h"
+#include "host/material_objects.h"
 #include "host/mixed_pixels.h"
 #include "host/output_layout.h"
 #include "host/self_test.h"
@@ -22,14 +23,14 @@
 namespace relume {
 namespace {
 
-OutputLayout layout_of(const RelightJob& job, const LightRecords& lights) {
+OutputLayout layout_of(const RelightJob& job, const LightLinks& lights) {
   OutputLayout layout;
   if (job.diffuse_layer) layout.diffuse = layout.add_colour("diffuse");
   if (job.specular_layer) layout.specular = layout.add_colour("specular");
   if (job.ambient_layer || job.light_layers) layout.ambient = layout.add_colour("ambient");
   if (job.light_layers)
-    for (std::size_t k = 0; k < lights.names.size(); ++k) {
-      const int first = layout.add_colour("light." + lights.names[k]);
+    for (std::size_t k = 0; k < lights.names().size(); ++k) {
+      const int first = layout.add_colour("light." + lights.names()[k]);
       if (k == 0) layout.lights = first;
     }
   return layout;
@@ -54,11 +55,16 @@ class Relight {
  private:
   void check_job() const;
   void understand_all();
+  void bind_materials_and_lights();
   void open();
   std::unique_ptr<Device> open_tested_device();
   void shade_and_write();
   void shade_band(GBuffer& gbuffer, Planes& out);
+  void shade_programs(Band& band, Frame& frame, const Progress& report) const;
   void shade_lights(Band& band, Frame frame);
+  void add_linked(const GBuffer& gbuffer, Planes& out, const Frame& bound);
+  int linked_planes() const;
+  void aim(Frame& frame, std::size_t group) const;
   std::vector<std::pair<std::string, std::string>> metadata() const;
   void write_alpha(const GBuffer& gbuffer, Planes& out) const;
   Frame frame_of(const GBuffer& gbuffer, const Planes& out) const;
@@ -79,13 +85,13 @@ class Relight {
   ExrFile file_;
   Reading reading_;
   Rig rig_;
-  LightRecords lights_;
+  std::optional<LightLinks> lights_;
   std::optional<Binding> binding_;
   std::vector<std::string> roles_;
   OutputLayout layout_;
   std::unique_ptr<Device> device_;
   Window window_;
-  glm::dvec3 ambient_{0};
+  std::vector<glm::dvec3> ambient_;  ///< of each group of lights, W/(m^2 sr)
   MixedPixels mixed_pixels_;
 };
 
@@ -107,17 +113,14 @@ void Relight::understand_all() {
   reading_ = understand_with_rigs(file_, options, rigs);
   rig_ = merge(std::move(rigs));
   if (!job_.mend_edges) reading_.filtered = reading_.position_premultiplied = false;
-  std::optional<MaterialFile> materials;
-  if (job_.materials) materials = read_materials(*job_.materials);
-  binding_.emplace(
-      job_.material, materials, job_.gbuffer.string(), [this](const std::string& layer) { return find_layer(file_, reading_, layer); }, reading_);
-  lights_ = light_records(rig_.lights);
+  bind_materials_and_lights();
   summary_.convention = reading_.convention;
-  summary_.lights = int(lights_.records.size());
+  summary_.lights = int(lights_->records().size());
   summary_.programs = binding_->descriptions();
   for (const std::string& what : reading_.made) note("made: " + what);
-  for (const std::vector<std::string>* notes : {&std::as_const(rig_.notes), &std::as_const(reading_.notes), &binding_->notes()})
-    summary_.notes.insert(summary_.notes.end(), notes->begin(), notes->end());
+  for (const std::vector<std::string>& notes : {rig_.notes, reading_.notes, binding_->notes(), lights_->notes()})
+    for (const std::string& text : notes)
+      if (std::find(summary_.notes.begin(), summary_.notes.end(), text) == summary_.notes.end()) note(text);
   window_ = reading_.data_window;
   if (job_.crop) {
     window_ = {std::max(window_.min_x, job_.crop->min_x), std::max(window_.min_y, job_.crop->min_y), std::min(window_.max_x, job_.crop->max_x),
@@ -126,6 +129,21 @@ void Relight::understand_all() {
   }
   summary_.window = window_;
   watch_.lap("understand");
+}
+
+void Relight::bind_materials_and_lights() {
+  std::optional<MaterialFile> materials;
+  if (job_.materials) {
+    materials = read_materials(*job_.materials);
+    find_objects(*materials, file_, reading_, job_.materials->string());
+  }
+  binding_.emplace(
+      job_.material, materials, job_.gbuffer.string(), [this](const std::string& layer) { return find_layer(file_, reading_, layer); }, reading_);
+  lights_.emplace(rig_.lights, file_, reading_, binding_->objects());
+  roles_ = binding_->roles();
+  for (const std::string& role : lights_->roles())
+    if (std::find(roles_.begin(), roles_.end(), role) == roles_.end()) roles_.push_back(role);
+  if (reading_.roles.contains("coverage")) roles_.push_back("coverage");
 }
 
 std::unique_ptr<Device> Relight::open_tested_device() {
@@ -145,15 +163,15 @@ void Relight::open() {
   progress("compile", 0);
   device_ = open_tested_device();
   summary_.device = device_->info().name;
-  layout_ = layout_of(job_, lights_);
-  roles_ = binding_->roles();
-  if (reading_.roles.contains("coverage")) roles_.push_back("coverage");
+  layout_ = layout_of(job_, *lights_);
   watch_.lap("compile");
 }
 
 /// Rows of a band: planes in and out within the memory given, and each buffer within what the device takes.
 int Relight::band_rows(const Window& window) const {
-  const std::int64_t in = 3 + 3 + 3 + 1 + 1 + 3 * std::int64_t(roles_.size()) + binding_->spare_planes(), out = layout_.planes();
+  std::int64_t in = 3 + 3 + 3 + 1 + 1 + binding_->spare_planes();
+  for (const std::string& role : roles_) in += is_made(reading_, role) ? 3 : std::int64_t(reading_.roles.at(role).channels.size());
+  const std::int64_t out = layout_.planes() + linked_planes();
   const int samples = reading_.filtered ? Mixtures::most_surfaces : 1;
   const std::int64_t largest = std::max(in, out), row = window.width() * std::int64_t(sizeof(float)) * samples;
   const std::int64_t by_memory = job_.memory / ((in + out) * row),
@@ -187,15 +205,10 @@ Frame Relight::frame_of(const GBuffer& gbuffer, const Planes& out) const {
   const Camera& camera = *reading_.camera;
   const bool orthographic = camera.projection == Camera::Projection::orthographic;
   const glm::dvec3 viewer = orthographic ? camera.backward() : camera.eye();
-  for (int c = 0; c < 3; ++c) {
-    frame.viewer[c] = float(viewer[c]);
-    frame.ambient[c] = float(ambient_[c]);
-  }
+  for (int c = 0; c < 3; ++c) frame.viewer[c] = float(viewer[c]);
   frame.viewer[3] = orthographic ? 0.0f : 1.0f;
-  frame.ambient[3] = ambient_ == glm::dvec3(0) ? 0.0f : 1.0f;
   frame.nodes = binding_->ambient_nodes_begin();
   frame.node_count = binding_->ambient_node_count();
-  std::copy(lights_.begin.begin(), lights_.begin.end(), frame.light_begin);
   frame.out_stride = int(out.stride());
   frame.total = OutputLayout::total;
   frame.diffuse = layout_.diffuse;
@@ -204,37 +217,75 @@ Frame Relight::frame_of(const GBuffer& gbuffer, const Planes& out) const {
   return frame;
 }
 
+/// Planes behind the layout's own: the colours of each linked group of lights.
+int Relight::linked_planes() const { return int(lights_->groups().size() - 1) * layout_.colours() * 3; }
+
+/// The lights of a group, and where their light goes: the first's into the layout's own planes, each other's behind them.
+void Relight::aim(Frame& frame, std::size_t g) const {
+  const LightGroup& group = lights_->groups()[g];
+  std::copy(group.begin.begin(), group.begin.end(), frame.light_begin);
+  const glm::dvec3 ambient = ambient_.empty() ? glm::dvec3(0) : ambient_[g];
+  for (int c = 0; c < 3; ++c) frame.ambient[c] = float(ambient[c]);
+  frame.ambient[3] = ambient == glm::dvec3(0) ? 0.0f : 1.0f;
+  if (g == 0) return;
+  int next = layout_.planes() + int(g - 1) * layout_.colours() * 3;
+  for (int* plane : {&frame.total, &frame.diffuse, &frame.specular, &frame.ambient_out})
+    if (*plane >= 0) *plane = std::exchange(next, next + 3);
+}
+
 void Relight::shade_band(GBuffer& gbuffer, Planes& out) {
-  Frame frame = frame_of(gbuffer, out);
-  binding_->bind(gbuffer, *reading_.camera, frame);
+  Frame bound = frame_of(gbuffer, out);
+  binding_->bind(gbuffer, *reading_.camera, bound);
   watch_.lap("bind");
-  const auto band = device_->bind({&gbuffer.planes, lights_.records, binding_->tables(), &out});
-  const double all = double(window_.pixels()) * double(binding_->programs().size());
-  const double before = double(gbuffer.window.min_y - window_.min_y) * window_.width() * double(binding_->programs().size());
+  const auto band = device_->bind({&gbuffer.planes, lights_->records(), binding_->tables(), &out});
+  const double rounds = double(binding_->programs().size() * lights_->groups().size()), all = double(window_.pixels()) * rounds;
+  const double before = double(gbuffer.window.min_y - window_.min_y) * window_.width() * rounds;
   double done = 0;
   const Progress report = [&](std::int64_t pixels) { progress("shade", (before + (done += double(pixels))) / all); };
+  for (std::size_t g = 0; g < lights_->groups().size(); ++g) {
+    Frame frame = bound;
+    aim(frame, g);
+    shade_programs(*band, frame, report);
+  }
+  if (layout_.lights >= 0) shade_lights(*band, bound);
+  band->finish();
+  watch_.lap("shade");
+  add_linked(gbuffer, out, bound);
+}
+
+void Relight::shade_programs(Band& band, Frame& frame, const Progress& report) const {
   for (std::size_t p = 0; p < binding_->programs().size(); ++p) {
     frame.program = int(p);
     frame.width_rule = binding_->width_rule(int(p));
-    band->shade(binding_->programs()[p], frame, report);
+    band.shade(binding_->programs()[p], frame, report);
   }
-  if (layout_.lights >= 0) shade_lights(*band, frame);
-  band->finish();
-  watch_.lap("shade");
+}
+
+/// Linked groups' light, by the share that their objects have of each pixel.
+void Relight::add_linked(const GBuffer& gbuffer, Planes& out, const Frame& bound) {
+  for (std::size_t g = 1; g < lights_->groups().size(); ++g) {
+    const LightGroup& group = lights_->groups()[g];
+    const std::vector<float> weights = weights_of(group, gbuffer);
+    Frame aimed = bound;
+    aim(aimed, g);
+    add_weighed(out, aimed.total, bound.total, weights);
+    for (const auto plane : {&Frame::diffuse, &Frame::specular, &Frame::ambient_out})
+      if (bound.*plane >= 0) add_weighed(out, aimed.*plane, bound.*plane, weights);
+    if (layout_.lights >= 0)
+      for (int k = group.begin.front(); k < group.begin.back(); ++k) weigh(out, layout_.lights + 3 * k, weights);
+  }
+  if (lights_->groups().size() > 1) watch_.lap("link");
 }
 
 /// Each light alone, into its own layer.
 void Relight::shade_lights(Band& band, Frame frame) {
   frame.diffuse = frame.specular = frame.ambient_out = -1;
   frame.ambient[3] = 0;
-  for (int k = 0; k < int(lights_.records.size()); ++k) {
-    for (int type = 0; type <= LIGHT_COUNT; ++type) frame.light_begin[type] = lights_.begin[type] <= k ? k : k + 1;
+  for (int k = 0; k < int(lights_->records().size()); ++k) {
+    const LightGroup& group = lights_->group_of(k);
+    for (int type = 0; type <= LIGHT_COUNT; ++type) frame.light_begin[type] = group.begin[std::size_t(type)] <= k ? k : k + 1;
     frame.total = layout_.lights + 3 * k;
-    for (std::size_t p = 0; p < binding_->programs().size(); ++p) {
-      frame.program = int(p);
-      frame.width_rule = binding_->width_rule(int(p));
-      band.shade(binding_->programs()[p], frame, [&](std::int64_t) { progress("shade", 1); });
-    }
+    shade_programs(band, frame, [&](std::int64_t) { progress("shade", 1); });
   }
 }
 
@@ -254,16 +305,22 @@ glm::dvec3 Relight::mean_irradiance() {
   const int rows = band_rows(whole);
   for (int row = whole.min_y; row < whole.max_y; row += rows) {
     GBuffer gbuffer = read_gbuffer(file_, reading_, rows_of(whole, row, rows), roles_, binding_->spare_planes());
-    Planes out(std::size_t(gbuffer.window.pixels()), 3);
-    out.add(3);
+    const int groups = int(lights_->groups().size());
+    Planes out(std::size_t(gbuffer.window.pixels()), 3 * groups);
+    out.add(3 * groups);
     Frame frame = frame_of(gbuffer, out);
     frame.diffuse = frame.specular = frame.ambient_out = -1;
     frame.program = 0;
     binding_->bind_irradiance(gbuffer, frame);
-    const auto band = device_->bind({&gbuffer.planes, lights_.records, binding_->tables(), &out});
-    band->shade({DIFFUSE_lambert, SPECULAR_none, 0, 0, 0}, frame,
-                [&](std::int64_t) { progress("ambient", double(row - whole.min_y) / whole.height()); });
+    const auto band = device_->bind({&gbuffer.planes, lights_->records(), binding_->tables(), &out});
+    for (int g = 0; g < groups; ++g) {
+      std::copy(lights_->groups()[std::size_t(g)].begin.begin(), lights_->groups()[std::size_t(g)].begin.end(), frame.light_begin);
+      frame.total = 3 * g;
+      band->shade({DIFFUSE_lambert, SPECULAR_none, 0, 0, 0}, frame,
+                  [&](std::int64_t) { progress("ambient", double(row - whole.min_y) / whole.height()); });
+    }
     band->finish();
+    for (int g = 1; g < groups; ++g) add_weighed(out, 3 * g, 0, weights_of(lights_->groups()[std::size_t(g)], gbuffer));
     for (int c = 0; c < 3; ++c)
       for (std::int64_t i = 0; i < gbuffer.window.pixels(); ++i) sum[c] += out.plane(c)[i];
     surface += double(gbuffer.surface_pixels);
@@ -287,8 +344,9 @@ std::vector<std::pair<std::string, std::string>> Relight::metadata() const {
 }
 
 void Relight::shade_and_write() {
-  ambient_ = lights_.ambient;
-  if (lights_.ambient_fraction != 0) ambient_ += lights_.ambient_fraction / std::numbers::pi * mean_irradiance();
+  const bool shares = std::any_of(lights_->groups().begin(), lights_->groups().end(), [](const LightGroup& g) { return g.ambient_fraction != 0; });
+  const glm::dvec3 mean = shares ? mean_irradiance() : glm::dvec3(0);
+  for (const LightGroup& group : lights_->groups()) ambient_.push_back(group.ambient + group.ambient_fraction / std::numbers::pi * mean);
   const Part& part = file_.parts()[std::size_t(reading_.part)];
   ExrWriter writer(job_.output, job_.format, part.header, window_, reading_.display_window, layout_.channels, metadata());
   Picture picture;
@@ -302,8 +360,8 @@ void Relight::shade_and_write() {
     summary_.surface_pixels += gbuffer.surface_pixels;
     summary_.bad_pixels += gbuffer.bad_pixels;
     ++summary_.bands;
-    Planes out(std::size_t(gbuffer.samples()), layout_.planes());
-    out.add(layout_.planes());
+    Planes out(std::size_t(gbuffer.samples()), layout_.planes() + linked_planes());
+    out.add(layout_.planes() + linked_planes());
     shade_band(gbuffer, out);
     write_alpha(gbuffer, out);
     fold_surfaces(gbuffer, out);

@@ -30,7 +30,9 @@ struct Light {
   Falloff falloff = Falloff::inverse_square;
   double range_begin = 0, range = 0;  ///< world units; range 0 = unbounded
   Cone cone = Cone::gltf;
-  double inner_angle = 0, outer_angle = 45;  ///< half-angles, degrees
+  double inner_angle = 0, outer_angle = 45;   ///< half-angles, degrees
+  std::vector<std::string> include, exclude;  ///< objects, by name or number, that it lights alone, or does not light; one of the two at most
+  std::string ids;                            ///< the layer that these are of; empty: the file's own (gbuffer/object_ids.h)
 };
 
 struct Rig {

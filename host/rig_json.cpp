@@ -1,6 +1,7 @@
 // The rig file of FORMATS.md: lights and camera, each key checked.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/matrix.hpp>
 
 #include "host/json.h"
@@ -10,7 +11,7 @@
 namespace relume {
 namespace {
 
-const std::vector<std::string_view> common_keys = {"type", "name", "group", "enabled", "exposure"};
+const std::vector<std::string_view> common_keys = {"type", "name", "group", "enabled", "exposure", "include", "exclude"};
 const std::vector<std::string_view> later_types = {"environment", "rect", "disk", "sphere"};
 
 glm::dvec3 vector_of(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
@@ -88,6 +89,27 @@ void read_cone(const ObjectReader& reader, Light& light) {
   light.cone = static_cast<Cone>(reader.choice("cone", {"gltf", "smoothstep", "linear"}).value_or(0));
 }
 
+/// Names or numbers of objects: in a Cryptomatte names, elsewhere ids.
+std::vector<std::string> read_objects(const ObjectReader& reader, std::string_view key) {
+  const Json* list = reader.json().find(key);
+  if (!list) return {};
+  if (list->type != Json::Type::array || list->items.empty()) reader.fail(key, "must be an array of at least one object's name or id");
+  std::vector<std::string> objects;
+  for (const Json& item : list->items) {
+    const bool id = item.type == Json::Type::number && item.number >= 0 && item.number <= 4294967295.0 && item.number == std::floor(item.number);
+    if (!id && (item.type != Json::Type::string || item.string.empty()))
+      reader.fail(item.line, in_quotes(key) + ": must be objects' names or ids (0..4294967295)");
+    objects.push_back(id ? std::to_string(std::uint32_t(item.number)) : item.string);
+  }
+  return objects;
+}
+
+void read_links(const ObjectReader& reader, Light& light) {
+  light.include = read_objects(reader, "include");
+  light.exclude = read_objects(reader, "exclude");
+  if (!light.include.empty() && !light.exclude.empty()) reader.fail("exclude", "stands instead of \"include\" (give one of them)");
+}
+
 /// Empty where the light is switched off.
 std::optional<Light> read_light(const ObjectReader& reader, std::size_t index) {
   reader.need("type");
@@ -107,6 +129,7 @@ std::optional<Light> read_light(const ObjectReader& reader, std::size_t index) {
   read_strength(reader, light);
   if (takes(light, "falloff")) read_falloff(reader, light);
   if (takes(light, "cone")) read_cone(reader, light);
+  read_links(reader, light);
   const std::string too_large = beyond_single(light);
   if (!too_large.empty()) reader.fail(too_large, "is beyond single precision");
   return enabled ? std::optional(light) : std::nullopt;
@@ -148,16 +171,20 @@ Camera read_camera(const ObjectReader& reader, const std::string& file) {
 
 Rig read_json_rig(const Json& json, const std::string& file) {
   const ObjectReader top(json, file, "");
-  top.allow({"relume", "camera", "lights"});
+  top.allow({"relume", "camera", "ids", "lights"});
   top.need_version();
   Rig rig;
   if (const Json* camera = json.find("camera")) rig.camera = read_camera(ObjectReader(*camera, file, "camera"), file);
+  const std::string ids = top.string("ids").value_or("");
   const Json* lights = json.find("lights");
   if (!lights) return rig;
   if (lights->type != Json::Type::array) top.fail("lights", "must be an array");
   for (std::size_t i = 0; i < lights->items.size(); ++i) {
     const ObjectReader reader(lights->items[i], file, "lights[" + std::to_string(i) + "]");
-    if (std::optional<Light> light = read_light(reader, i)) rig.lights.push_back(std::move(*light));
+    std::optional<Light> light = read_light(reader, i);
+    if (!light) continue;
+    light->ids = ids;
+    rig.lights.push_back(std::move(*light));
   }
   return rig;
 }
