@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/inspect_objects.h"
 #include "cli/reading_arguments.h"
 #include "gbuffer/error.h"
 #include "gbuffer/gbuffer.h"
@@ -74,24 +75,30 @@ struct Contents {
   std::map<std::string, Range> ranges;  ///< by role
   std::int64_t surface_pixels = 0, bad_pixels = 0;
   bool filtered = false;
+  Json objects;
 };
 
-Contents contents_of(const ExrFile& file, const Reading& reading) {
+Contents contents_of(const ExrFile& file, Reading reading) {
   std::vector<std::string> roles;
   for (const auto& [role, layer] : reading.roles)
     if (role != "position" && role != "normal" && role != "base_normal" && role != "ids") roles.push_back(role);
   Contents contents;
+  InspectedObjects objects(file, reading);
+  for (const std::string& role : objects.roles()) roles.push_back(role);
   const Window& all = reading.data_window;
   const int rows = std::max(1, (1 << 22) / std::max(1, all.width()));  // four million pixels: a few hundred megabytes of planes
   for (int top = all.min_y; top < all.max_y; top += rows) {
     const GBuffer gbuffer = read_gbuffer(file, reading, {all.min_x, top, all.max_x, std::min(top + rows, all.max_y)}, roles, 0);
     contents.ranges["position"].add(gbuffer, gbuffer.position);
     contents.ranges["normal"].add(gbuffer, gbuffer.normal);
-    for (const auto& [role, planes] : gbuffer.roles) contents.ranges[role].add(gbuffer, planes);
+    for (const auto& [role, planes] : gbuffer.roles)
+      if (!role.starts_with(cryptomatte_role)) contents.ranges[role].add(gbuffer, planes);
+    objects.add(gbuffer);
     contents.surface_pixels += gbuffer.surface_pixels;
     contents.bad_pixels += gbuffer.bad_pixels;
     contents.filtered = contents.filtered || gbuffer.fractional_coverage;
   }
+  contents.objects = objects.json();
   return contents;
 }
 
@@ -109,7 +116,8 @@ Json roles_json(const ExrFile& file, const Reading& reading) {
           {"surface_pixels", contents.surface_pixels},
           {"pixels", reading.data_window.pixels()},
           {"bad_pixels", contents.bad_pixels},
-          {"filtered", contents.filtered}};
+          {"filtered", contents.filtered},
+          {"objects", contents.objects}};
 }
 
 Json parts_json(const ExrFile& file) {
@@ -171,6 +179,7 @@ void print(const Json& j) {
                 triple(j["camera"]["forward"]).c_str(), text(j["camera"]["source"]).c_str());
   std::printf("default lobes %s + %s\n", text(j["default_lobes"][0]).c_str(), text(j["default_lobes"][1]).c_str());
   if (j["bad_pixels"] > 0) std::printf("defect        %lld pixels with a NaN or infinite position or normal\n", j["bad_pixels"].get<long long>());
+  print_objects(j["objects"]);
   for (const auto& note : j["notes"]) std::printf("note          %s\n", printable_sentence(note.get<std::string>()).c_str());
 }
 

@@ -271,4 +271,22 @@ std::vector<float> ObjectIds::shares(const GBuffer& gbuffer, const std::set<std:
   return shares;
 }
 
+void ObjectIds::count(const GBuffer& gbuffer, ObjectCounts& counts) const {
+  constexpr std::size_t most = std::size_t(1) << 20;
+  auto last = counts.end();
+  const auto add = [&](std::uint32_t id, float coverage) {
+    if (last == counts.end() || last->first != id) last = counts.size() < most ? counts.try_emplace(id).first : counts.find(id);
+    if (last == counts.end()) return;
+    ++last->second.pixels;
+    last->second.coverage += double(coverage);
+  };
+  const float* const surface = gbuffer.planes.plane(gbuffer.coverage.first);
+  for (std::int64_t i = 0; i < gbuffer.window.pixels(); ++i) {
+    if (cryptomatte_)
+      for_ranks(gbuffer, roles_, i, add);
+    else if (surface[i] > 0)
+      add(gbuffer.ids[std::size_t(i)], surface[i]);
+  }
+}
+
 }  // namespace relume

@@ -13,6 +13,12 @@
 
 namespace relume {
 
+struct ObjectCount {
+  std::int64_t pixels = 0;  ///< that show something of it
+  double coverage = 0;      ///< sum over pixels of what it covers of each
+};
+using ObjectCounts = std::map<std::uint32_t, ObjectCount>;  ///< by id
+
 /// The layer that a material file or a rig takes its objects from.
 class ObjectIds {
  public:
@@ -23,6 +29,8 @@ class ObjectIds {
 
   const std::string& name() const { return name_; }
   bool is_cryptomatte() const { return cryptomatte_.has_value(); }
+  std::size_t ranks() const { return cryptomatte_ ? cryptomatte_->ranks() : 1; }
+  const Manifest& manifest() const { return manifest_; }
   /// For read_gbuffer.
   const std::vector<std::string>& roles() const { return roles_; }
   /// What was found out about the ids, one sentence each.
@@ -39,6 +47,8 @@ class ObjectIds {
   std::vector<std::uint32_t> most_covering(const GBuffer& gbuffer) const;
   /// The share that these objects have of all that each pixel shows, 0..1.
   std::vector<float> shares(const GBuffer& gbuffer, const std::set<std::uint32_t>& ids) const;
+  /// Adds a band's objects; of a file with more than a million ids (noise, not ids) those that come first.
+  void count(const GBuffer& gbuffer, ObjectCounts& counts) const;
 
  private:
   void take_cryptomatte(const Cryptomatte& cryptomatte, Reading& reading);

@@ -127,6 +127,14 @@ TEST(Materials, AnAutomaticHalfTakesWhatAnyOfItsLobesTakes) {
                   .starts_with("\"exponent\": not a parameter of diffuse auto and specular ggx with fresnel schlick"));
 }
 
+TEST(Materials, WhatIsNoIdIsAName) {
+  for (const std::string name : {"-1", "4294967296", "01", "x", "/world/torus", "1.0", " 1", "\u0440"}) {
+    const MaterialFile file = read_string("{\"relume\": 1, \"materials\": {\"" + name + "\": {}}}");
+    EXPECT_TRUE(file.by_id.empty());
+    EXPECT_TRUE(file.by_name.contains(name)) << name;
+  }
+}
+
 TEST(Materials, RefusesBadValues) {
   const std::string lobes = R"("diffuse": "plastic", "specular": "ggx", )";
   EXPECT_EQ(material_error(lobes + R"("alpha": 2)"), "\"alpha\": 2 is out of range (0.0001..1)");
@@ -154,9 +162,8 @@ TEST(Materials, RefusesBadFiles) {
   EXPECT_EQ(file_error("{\"relume\": 1}"), "standard input:1: \"materials\" is missing");
   EXPECT_EQ(file_error("{\"relume\": 1, \"materials\": []}"), "standard input:1: materials: must be an object (is an array)");
   EXPECT_EQ(file_error("{\"relume\": 1, \"id\": \"a\"}"), "standard input:1: unknown key \"id\" (has: relume, ids, materials)");
-  for (const std::string id : {"-1", "4294967296", "01", "x", "", "1.0", " 1"})
-    EXPECT_EQ(file_error("{\"relume\": 1, \"materials\": {\n\"" + id + "\": {}}}"),
-              "standard input:2: materials: \"" + id + "\": must be an object id (0..4294967295) or \"default\"");
+  EXPECT_EQ(file_error("{\"relume\": 1, \"materials\": {\n\"\": {}}}"),
+            "standard input:2: materials: \"\": must be an object's id (0..4294967295) or name, or \"default\"");
   EXPECT_EQ(file_error("{\"relume\": 1, \"materials\": {\"1\":\n 5}}"), "standard input:2: materials[\"1\"]: must be an object (is a number)");
 }
 

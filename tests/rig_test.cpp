@@ -71,6 +71,25 @@ TEST(JsonRig, ReadsTheContractsExample) {
   EXPECT_EQ(rig.camera->source, "standard input");
 }
 
+TEST(JsonRig, LinksLightsToObjects) {
+  const Rig rig = read_string(R"({"relume": 1, "ids": "CryptoObject", "lights": [
+     {"type": "directional", "direction": [0,0,-1], "intensity": 1, "include": ["torus", "/world/12", 4294967295]},
+     {"type": "ambient", "intensity": 1, "exclude": [0]},
+     {"type": "ambient", "intensity": 1}]})");
+  ASSERT_EQ(rig.lights.size(), 3u);
+  EXPECT_EQ(rig.lights[0].include, (std::vector<std::string>{"torus", "/world/12", "4294967295"}));
+  EXPECT_EQ(rig.lights[1].exclude, std::vector<std::string>{"0"});
+  EXPECT_TRUE(rig.lights[2].include.empty() && rig.lights[2].exclude.empty());
+  EXPECT_EQ(rig.lights[2].ids, "CryptoObject");
+  const std::string ambient = R"({"type": "ambient", "intensity": 1, )";
+  EXPECT_EQ(light_error(ambient + R"("include": "torus"})"), "\"include\": must be an array of at least one object's name or id");
+  EXPECT_EQ(light_error(ambient + R"("exclude": []})"), "\"exclude\": must be an array of at least one object's name or id");
+  for (const char* bad : {"-1", "1.5", "4294967296", "true", "\"\"", "[1]"})
+    EXPECT_EQ(after("standard input:1: lights[0]: ", rig_error("{\"relume\": 1, \"lights\": [" + ambient + "\"include\": [" + bad + "]}]}")),
+              "\"include\": must be objects' names or ids (0..4294967295)");
+  EXPECT_EQ(light_error(ambient + R"("include": [1], "exclude": [2]})"), "\"exclude\": stands instead of \"include\" (give one of them)");
+}
+
 TEST(JsonRig, CommonKeys) {
   const Rig rig = read_string(R"({"relume": 1, "lights": [
      {"type": "point", "position": [0,0,0], "intensity": 2, "exposure": 3, "group": "fill"},
@@ -107,9 +126,9 @@ TEST(JsonRig, RefusesBadLights) {
     EXPECT_EQ(light_error("{\"type\": \"" + type + "\"}"),
               "\"type\": \"" + type + "\" is not supported yet (has: directional, point, spot, ambient)");
   EXPECT_EQ(light_error("{" + point + R"(, "colour": 1})"),
-            "unknown key \"colour\" (has: type, name, group, enabled, exposure, position, intensity, falloff, range_begin, range)");
+            "unknown key \"colour\" (has: type, name, group, enabled, exposure, include, exclude, position, intensity, falloff, range_begin, range)");
   EXPECT_EQ(light_error("{" + point + R"(, "cone": "gltf"})"),
-            "unknown key \"cone\" (has: type, name, group, enabled, exposure, position, intensity, falloff, range_begin, range)");
+            "unknown key \"cone\" (has: type, name, group, enabled, exposure, include, exclude, position, intensity, falloff, range_begin, range)");
   EXPECT_EQ(light_error(R"({"type": "point", "intensity": 1})"), "\"position\" is missing");
   EXPECT_EQ(light_error(R"({"type": "point", "position": [0,0,0]})"), "\"intensity\" is missing");
   EXPECT_EQ(light_error(R"({"type": "point", "position": [0,0], "intensity": 1})"), "\"position\": must be 3 numbers (has 2)");
@@ -143,7 +162,7 @@ TEST(JsonRig, RefusesBadFiles) {
   EXPECT_EQ(rig_error("[]"), "standard input:1: must be an object (is an array)");
   EXPECT_EQ(rig_error("{}"), "standard input:1: \"relume\" is missing");
   EXPECT_EQ(rig_error("{\"relume\": 2}"), "standard input:1: \"relume\": this version of the file is not known (1 is)");
-  EXPECT_EQ(rig_error("{\"relume\": 1, \"light\": []}"), "standard input:1: unknown key \"light\" (has: relume, camera, lights)");
+  EXPECT_EQ(rig_error("{\"relume\": 1, \"light\": []}"), "standard input:1: unknown key \"light\" (has: relume, camera, ids, lights)");
   EXPECT_EQ(rig_error("{\"relume\": 1,\n\"lights\": {}}"), "standard input:2: \"lights\": must be an array");
   EXPECT_EQ(rig_error("{\"relume\": 1,\n\"lights\": [\n{\"type\": \"point\",\n\"position\": [0, 1e999, 0]}]}"),
             "standard input:4: number 1e999 is beyond the range of a double");

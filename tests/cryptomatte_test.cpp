@@ -1,0 +1,432 @@
+// Cryptomattes against the specification: its test vectors, layers in every spelling, manifests good and hostile, and files that Blender wrote.
+#include "gbuffer/cryptomatte.h"
+
+#include <ImfStringAttribute.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <fstream>
+
+#include "gbuffer/cryptomatte_id.h"
+#include "gbuffer/near_names.h"
+#include "gbuffer/object_ids.h"
+#include "tests/made_up_exr.h"
+#include "tests/make_gbuffer.h"
+#include "tests/refusal.h"
+#include "tests/run_program.h"
+
+namespace relume {
+namespace {
+
+double sample_of(std::uint32_t id) { return double(std::bit_cast<float>(id)); }
+
+TEST(CryptomatteId, TheSpecificationsTestVectors) {
+  EXPECT_EQ(cryptomatte_id("torus"), 4053562365u);
+  EXPECT_NEAR(sample_of(cryptomatte_id("torus")), -1.54943624832e+30, 1e19);
+  EXPECT_EQ(cryptomatte_id("равнина"), 2518896926u);
+  EXPECT_NEAR(sample_of(cryptomatte_id("равнина")), -1.31926312124e-25, 1e-36);
+}
+
+/// Of Arnold's and Blender's manifests: every length modulo four, and the empty name.
+TEST(CryptomatteId, RenderersManifests) {
+  const std::map<std::string, std::uint32_t> known{{"bunny", 0x13851a76}, {"default", 0x42c9679f}, {"plant", 0x51bce536}, {"set", 0x5ecc6fe8},
+                                                   {"Floor", 0x6a2fb16e}, {"Cube", 0xa8fce865},    {"Key", 0x91cc5916},   {"Suzanne", 0xcb432898},
+                                                   {"", 0x00800000},      {"flowerA", 0xe2c8d131}, {"Torus", 0x789a1936}, {"heroflower", 0x6b2b718d}};
+  for (const auto& [name, id] : known) EXPECT_EQ(cryptomatte_id(name), id) << name;
+}
+
+TEST(CryptomatteId, IsAlwaysANormalNumber) {
+  int mended = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const std::uint32_t id = cryptomatte_id("object" + std::to_string(i));
+    ASSERT_TRUE(std::isnormal(std::bit_cast<float>(id))) << i;
+    const std::uint32_t exponent = id >> 23 & 255;
+    mended += exponent == 1 || exponent == 254;
+  }
+  EXPECT_GT(mended, 1000);  // 4 of 256 exponents, two of them by the exception
+}
+
+TEST(Manifest, NamesAndIds) {
+  const Manifest manifest =
+      parse_manifest(R"( {"bunny":"13851a76", "a \"quoted\", name":"AF8BFA09", "равнина":"9623511e", "\/obj\/box":"00c0ffee"} )", "here");
+  EXPECT_TRUE(manifest.notes.empty());
+  EXPECT_EQ(manifest.ids.size(), 4u);
+  EXPECT_EQ(manifest.ids.at("a \"quoted\", name"), 0xaf8bfa09u);
+  EXPECT_EQ(manifest.ids.at("/obj/box"), 0x00c0ffeeu);
+  EXPECT_EQ(manifest.names.at(0x9623511e), "равнина");
+}
+
+TEST(Manifest, WhatIsNotSoIsLeftOutAndSaid) {
+  const auto noted = [](const std::string& json, std::size_t names) {
+    const Manifest manifest = parse_manifest(json, "the header");
+    EXPECT_EQ(manifest.ids.size(), names) << json;
+    EXPECT_EQ(manifest.notes.size(), 1u) << json;
+    return manifest.notes.empty() ? "" : after("the manifest in the header ", manifest.notes.front());
+  };
+  EXPECT_EQ(noted("", 0), "is no JSON object: names are hashed instead");
+  EXPECT_EQ(noted("[\"a\"]", 0), "is no JSON object: names are hashed instead");
+  EXPECT_EQ(noted("12", 0), "is no JSON object: names are hashed instead");
+  EXPECT_EQ(noted(R"({"a":"00000001","b":")", 1), "is not valid JSON after 1 names: others are hashed instead");
+  EXPECT_EQ(noted("{\"a\":\"00000001\",\"\xff\xfe\":\"00000002\"}", 1), "is not valid JSON after 1 names: others are hashed instead");
+  EXPECT_EQ(noted(R"({"a":"00000001"} x)", 1), "is not valid JSON after 1 names: others are hashed instead");
+  EXPECT_EQ(noted(R"({"a":"000000001","b":"xyz","c":"","d":"-1","e":"0x1","f":12,"g":null,"h":["00000001"],"i":{"j":"00000001"},"k":"00000002"})", 1),
+            "has 9 values that are no ids of 8 hexadecimal digits: left out");
+  const Manifest deep = parse_manifest(R"({"a":)" + std::string(1 << 20, '['), "the header");
+  EXPECT_TRUE(deep.empty());
+  EXPECT_EQ(deep.notes.size(), 2u);  // a value that is no id, and no end
+}
+
+TEST(Manifest, IsBounded) {
+  std::string json = "{";
+  for (int i = 0; i < (1 << 20) + 10; ++i) json += '"' + std::to_string(i) + "\":\"1\",";
+  json.back() = '}';
+  const Manifest manifest = parse_manifest(json, "the header");
+  EXPECT_EQ(manifest.ids.size(), std::size_t(1) << 20);
+  ASSERT_EQ(manifest.notes.size(), 1u);
+  EXPECT_NE(manifest.notes.front().find("more than 1048576 names"), std::string::npos);
+}
+
+TEST(Manifest, SidecarsLieBesideTheImage) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "names");
+  for (const char* name : {"objects.json", "names/objects.json", "objects.txt", "a b.json"}) std::ofstream(folder / name) << R"({"a":"00000001"})";
+  const auto read = [&](const std::string& sidecar) { return read_manifest(folder / "shot.exr", R"({"header":"00000002"})", sidecar); };
+  for (const char* good : {"objects.json", "names/objects.json", "a b.json"}) {
+    const Manifest manifest = read(good);
+    EXPECT_TRUE(manifest.ids.contains("a")) << good;
+    EXPECT_EQ(manifest.source, good);
+  }
+  const std::string up = (folder.path().filename() / "objects.json").string();
+  const std::vector<std::string> elsewhere{"../" + up,
+                                           "./objects.json",
+                                           "names/../objects.json",
+                                           (folder / "objects.json").string(),
+                                           "file:///objects.json",
+                                           "C:/objects.json",
+                                           "names\\objects.json",
+                                           "objects.txt",
+                                           "names",
+                                           "",
+                                           "missing.json",
+                                           "a\nb.json",
+                                           "/dev/zero"};
+  for (const std::string& bad : elsewhere) {
+    const Manifest manifest = read(bad);
+    EXPECT_FALSE(manifest.ids.contains("a")) << bad;
+    EXPECT_TRUE(manifest.ids.contains("header")) << bad;  // what the header itself has is taken then
+    ASSERT_EQ(manifest.notes.size(), 1u) << bad;
+    EXPECT_EQ(manifest.notes.front().find('\n'), std::string::npos);
+  }
+}
+
+TEST(NearNames, FindsWhatWasMeant) {
+  const std::vector<std::string> names{"Cube", "Sphere", "torus", "torus_hole", "/world/torus", "Floor"};
+  EXPECT_EQ(near_names("torsu", names), "near: \"torus\"");
+  EXPECT_EQ(near_names("CUBE", names), "near: \"Cube\"");
+  EXPECT_EQ(near_names("torus", {"/world/torus", "x"}), "near: \"/world/torus\"");
+  EXPECT_EQ(near_names("qqqqqqqq", names), "has: \"Cube\", \"Sphere\", \"torus\", \"torus_hole\", \"/world/torus\", and 1 more");
+  EXPECT_EQ(near_names("x", {}), "");
+  EXPECT_EQ(near_names("ab", {"a\nb"}), "near: \"a\\nb\"");
+}
+
+/// A frame of 8 x 2 pixels: the first rank covers 0.75 with "left" or "right", the second a quarter with "floor"; the last column is empty.
+struct Frame8 {
+  static double value(const std::string& channel, int x, int) {
+    const char letter = char(std::tolower(channel[channel.rfind('.') + 1]));
+    const bool first = channel.find("00.") != std::string::npos;
+    if (channel.starts_with("P.")) return letter == 'x' ? x : letter == 'z' ? -5 : 0;
+    if (channel.starts_with("N.")) return letter == 'z';
+    if (!first || x == 7) return 0;
+    switch (letter) {
+      case 'r':
+        return sample_of(cryptomatte_id(x < 4 ? "left" : "right"));
+      case 'g':
+        return 0.75;
+      case 'b':
+        return sample_of(cryptomatte_id("floor"));
+      default:
+        return 0.25;
+    }
+  }
+};
+
+MadeUpExr::Edit metadata(const std::string& name, const std::string& manifest, const std::string& prefix = "cryptomatte/1a2b3c4/") {
+  return [=](Imf::Header& header) {
+    header.insert(prefix + "name", Imf::StringAttribute(name));
+    header.insert(prefix + "hash", Imf::StringAttribute("MurmurHash3_32"));
+    header.insert(prefix + "conversion", Imf::StringAttribute("uint32_to_float32"));
+    if (!manifest.empty()) header.insert(prefix + "manifest", Imf::StringAttribute(manifest));
+  };
+}
+
+const std::vector<std::string> geometry{"P.X", "P.Y", "P.Z", "N.X", "N.Y", "N.Z"};
+
+std::vector<std::string> with_geometry(const std::vector<std::string>& more) {
+  std::vector<std::string> all = geometry;
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+std::vector<Cryptomatte> found_in(const std::filesystem::path& path) {
+  const ExrFile file(path);
+  return cryptomattes_of(file, understand(file, {}));
+}
+
+TEST(Cryptomatte, LayersInEverySpelling) {
+  struct Spelling {
+    const char *name, *r, *g, *b, *a;
+  };
+  for (const Spelling& s :
+       {Spelling{"CryptoObject", "CryptoObject00.R", "CryptoObject00.G", "CryptoObject00.B", "CryptoObject00.A"},
+        Spelling{"crypto_object", "crypto_object00.r", "crypto_object00.g", "crypto_object00.b", "crypto_object00.a"},
+        Spelling{"uCryptoAsset", "uCryptoAsset00.red", "uCryptoAsset00.green", "uCryptoAsset00.blue", "uCryptoAsset00.alpha"},
+        Spelling{"ActorHitProxyMask", "ActorHitProxyMask00.R", "ActorHitProxyMask00.G", "ActorHitProxyMask00.B", "ActorHitProxyMask00.A"},
+        Spelling{"ViewLayer.Crypto", "ViewLayer_Crypto00.red", "ViewLayer_Crypto00.green", "ViewLayer_Crypto00.blue", "ViewLayer_Crypto00.alpha"}}) {
+    const MadeUpExr made({{"", "", with_geometry({s.r, s.g, s.b, s.a})}}, 8, 2, Frame8::value, metadata(s.name, ""));
+    const auto found = found_in(made.file);
+    ASSERT_EQ(found.size(), 1u) << s.name;
+    EXPECT_EQ(found[0].name, s.name);
+    EXPECT_EQ(found[0].ranks(), 2u);
+    EXPECT_EQ(found[0].levels[0].channels, (std::vector<std::string>{s.r, s.g, s.b, s.a}));
+    EXPECT_EQ(found[0].defect, "");
+  }
+}
+
+TEST(Cryptomatte, WithoutMetadataByItsName) {
+  const MadeUpExr made(
+      {{"", "",
+        with_geometry({"CryptoMaterial00.R", "CryptoMaterial00.G", "CryptoMaterial01.R", "CryptoMaterial01.G", "CryptoMaterial01.B",
+                       "CryptoMaterial01.A", "CryptoMaterial.R", "CryptoMaterial.G", "CryptoMaterial.B", "other00.R", "other00.G"})}},
+      8, 2, Frame8::value);
+  const auto found = found_in(made.file);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].name, "CryptoMaterial");
+  EXPECT_EQ(found[0].ranks(), 3u);
+  for (const char* meant : {"CryptoMaterial", "cryptomaterial", "crypto_material", "CryptoMaterial00", "Crypto Material 01"})
+    EXPECT_TRUE(goes_by(found[0], meant)) << meant;
+  for (const char* other : {"Crypto", "material", "", "CryptoObject"}) EXPECT_FALSE(goes_by(found[0], other)) << other;
+}
+
+TEST(Cryptomatte, APartForEachLevel) {
+  const MadeUpExr made({{"geometry", "", geometry}, {"crypto_object01", "", {"R", "G", "B", "A"}}, {"crypto_object00", "", {"R", "G", "B", "A"}}}, 8,
+                       2, Frame8::value, metadata("crypto_object", ""));
+  const auto found = found_in(made.file);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].levels[0].part, 2);
+  EXPECT_EQ(found[0].levels[1].part, 1);
+  EXPECT_EQ(found[0].header_part, 0);
+}
+
+TEST(Cryptomatte, DefectsAreSaid) {
+  const MadeUpExr whole({{"", "", with_geometry({"Crypto00.R:uint", "Crypto00.G"})}}, 8, 2, Frame8::value);
+  EXPECT_EQ(found_in(whole.file)[0].defect, "channel \"Crypto00.R\" is uint: its ids are lost (a Cryptomatte's are the bits of 32-bit floats)");
+  const MadeUpExr headless({{"", "", with_geometry({"Crypto01.R", "Crypto01.G"})}}, 8, 2, Frame8::value);
+  EXPECT_EQ(found_in(headless.file)[0].defect, "layer \"Crypto00\", which has its first ranks, is missing");
+  const MadeUpExr converted({{"", "", with_geometry({"Crypto00.R", "Crypto00.G"})}}, 8, 2, Frame8::value, [](Imf::Header& header) {
+    metadata("Crypto", "")(header);
+    header.insert("cryptomatte/1a2b3c4/conversion", Imf::StringAttribute("uint32_to_\nhalf"));
+  });
+  EXPECT_EQ(found_in(converted.file)[0].defect, "its ids are stored as \"uint32_to_\\nhalf\" (uint32_to_float32 is known)");
+  const TemporaryFolder folder;
+  MadeUpGBuffer made;
+  made.half = true;
+  made.with({"Crypto00.R", "Crypto00.G"});
+  write_gbuffer(folder / "half.exr", made);
+  EXPECT_EQ(found_in(folder / "half.exr")[0].defect,
+            "channel \"Crypto00.R\" is half: its ids are lost (a Cryptomatte's are the bits of 32-bit floats)");
+}
+
+/// Ids of a made-up or stored file, over its whole frame.
+struct Objects {
+  explicit Objects(const std::filesystem::path& path, const std::string& name = "", bool by_names = true)
+      : file(path),
+        reading(understand(file, {})),
+        ids(file, reading, name, by_names),
+        gbuffer(read_gbuffer(file, reading, reading.data_window, ids.roles(), 0)) {}
+
+  std::vector<float> share(const std::vector<std::string>& called) {
+    const auto all = ids.ids_of(called, "test");
+    return ids.shares(gbuffer, {all.begin(), all.end()});
+  }
+
+  ExrFile file;
+  Reading reading;
+  ObjectIds ids;
+  GBuffer gbuffer;
+};
+
+const std::vector<std::string> ranks{"Crypto00.R", "Crypto00.G", "Crypto00.B", "Crypto00.A"};
+
+TEST(ObjectIds, SharesAndTheMostCovering) {
+  const MadeUpExr made({{"", "", with_geometry(ranks)}}, 8, 2, Frame8::value);
+  Objects objects(made.file);
+  const auto left = objects.share({"left"}), floor = objects.share({"floor"}), all = objects.share({"left", "right", "floor"});
+  const auto most = objects.ids.most_covering(objects.gbuffer);
+  for (std::size_t i = 0; i < 16; ++i) {
+    const std::size_t x = i % 8;
+    EXPECT_EQ(left[i], x < 4 ? 0.75f : 0.0f);
+    EXPECT_EQ(floor[i], x < 7 ? 0.25f : 0.0f);
+    EXPECT_EQ(all[i], x < 7 ? 1.0f : 0.0f);
+    EXPECT_EQ(most[i], x == 7 ? 0 : cryptomatte_id(x < 4 ? "left" : "right"));
+  }
+}
+
+TEST(ObjectIds, HostileCoverage) {
+  const auto value = [](const std::string& channel, int x, int y) -> double {
+    if (channel == "Crypto00.G") return x == 0 ? NAN : x == 1 ? -1 : x == 2 ? INFINITY : x == 3 ? 0.1 : 0.5;
+    if (channel == "Crypto00.A") return x == 4 ? NAN : 0.5;  // ranks out of order at x = 3
+    return Frame8::value(channel, x, y);
+  };
+  const MadeUpExr made({{"", "", with_geometry(ranks)}}, 8, 2, value);
+  Objects objects(made.file);
+  const auto floor = objects.share({"floor"});
+  const auto most = objects.ids.most_covering(objects.gbuffer);
+  const float expected[] = {1, 1, 1 / 3.0f, 5 / 6.0f, 0, 0.5f, 0.5f, 0};
+  for (std::size_t x = 0; x < 8; ++x) EXPECT_FLOAT_EQ(floor[x], expected[x]) << x;
+  EXPECT_EQ(most[0], cryptomatte_id("floor"));
+  EXPECT_EQ(most[2], cryptomatte_id("left"));
+  EXPECT_EQ(most[3], cryptomatte_id("floor"));
+  EXPECT_EQ(most[4], cryptomatte_id("right"));
+}
+
+TEST(ObjectIds, NamesWithAndWithoutAManifest) {
+  const MadeUpExr without({{"", "", with_geometry(ranks)}}, 8, 2, Frame8::value, metadata("Crypto", ""));
+  Objects hashed(without.file);
+  EXPECT_EQ(hashed.ids.ids_of({"left", "0x00000007"}, "test"), (std::vector<std::uint32_t>{cryptomatte_id("left"), 7}));
+  EXPECT_TRUE(hashed.ids.notes().empty());
+  hashed.ids.ids_of({"lfet"}, "test");
+  ASSERT_EQ(hashed.ids.notes().size(), 1u);
+  EXPECT_EQ(hashed.ids.notes()[0], "no pixel shows object \"lfet\", and Cryptomatte \"Crypto\" has no manifest to check the name by");
+
+  const MadeUpExr with({{"", "", with_geometry(ranks)}}, 8, 2, Frame8::value, metadata("Crypto", R"({"left":"00000009","gone":"00000008"})"));
+  Objects named(with.file);
+  EXPECT_EQ(named.ids.ids_of({"left", "gone", "right"}, "test"), (std::vector<std::uint32_t>{9, 8, cryptomatte_id("right")}));  // the manifest wins
+  EXPECT_EQ(named.ids.called(9), "\"left\"");
+  EXPECT_EQ(named.ids.called(7), "0x00000007");
+  EXPECT_EQ(error_of([&] { named.ids.ids_of({"lfet"}, "m.json"); }),
+            "m.json: Cryptomatte \"Crypto\" has no object \"lfet\" (near: \"left\"; relume inspect lists them)");
+}
+
+TEST(ObjectIds, ChoosesTheLayer) {
+  std::vector<std::string> channels = with_geometry({"id:uint", "CryptoMaterial00.R", "CryptoMaterial00.G", "CryptoObject00.R", "CryptoObject00.G"});
+  const MadeUpExr made({{"", "", channels}}, 8, 2, Frame8::value);
+  EXPECT_EQ(Objects(made.file).ids.name(), "CryptoObject");
+  EXPECT_EQ(Objects(made.file, "", false).ids.name(), "id");
+  EXPECT_EQ(Objects(made.file, "crypto_material").ids.name(), "CryptoMaterial");
+  EXPECT_EQ(Objects(made.file, "ID").ids.name(), "id");
+  EXPECT_TRUE(error_of([&] { Objects(made.file, "CryptoAsset"); }).find("no layer \"CryptoAsset\" (there are: ") != std::string::npos);
+  ReadingOptions mapped;
+  mapped.map["ids"] = "cryptomaterial";
+  const ExrFile file(made.file);
+  Reading reading = understand(file, mapped);
+  EXPECT_EQ(ObjectIds(file, reading, "", false).name(), "CryptoMaterial");
+  const MadeUpExr none({{"", "", geometry}}, 8, 2, Frame8::value);
+  const std::string where = none.file.string(), end = " (\"ids\" in a material file or rig names one; --map ids=LAYER too)";
+  EXPECT_EQ(error_of([&] { Objects(none.file, "", true); }), where + ": no Cryptomatte to find objects in by name" + end);
+  EXPECT_EQ(error_of([&] { Objects(none.file, "", false); }), where + ": no layer of object ids" + end);
+}
+
+/// A float layer of ids under `number(x)`, over the geometry of Frame8.
+struct FloatIds {
+  explicit FloatIds(const std::function<double(int)>& number)
+      : made({{"", "", with_geometry({"id"})}}, 8, 2,
+             [=](const std::string& channel, int x, int y) { return channel == "id" ? number(x) : Frame8::value(channel, x, y); }),
+        objects(made.file, "", false) {}
+  MadeUpExr made;
+  Objects objects;
+};
+
+TEST(ObjectIds, FloatsBeyondTheirWholeNumbers) {
+  FloatIds small([](int x) { return 16777208 + x; });
+  EXPECT_TRUE(small.objects.ids.notes().empty());
+  EXPECT_EQ(small.objects.ids.most_covering(small.objects.gbuffer)[7], 16777215u);
+  FloatIds large([](int x) { return 16777212.0 + x; });
+  ASSERT_EQ(large.objects.ids.notes().size(), 1u);
+  EXPECT_EQ(
+      large.objects.ids.notes()[0],
+      "warning: id layer \"id\": 8 of 16 pixels looked at hold ids from 16777216 up, where float samples do not tell every id from the next: objects "
+      "may have merged");
+  EXPECT_EQ(large.objects.ids.ids_of({"16777216", "16777218"}, "test"), (std::vector<std::uint32_t>{16777216, 16777218}));
+  EXPECT_EQ(
+      error_of([&] { large.objects.ids.ids_of({"16777217"}, "m.json"); }),
+      "m.json: layer \"id\" cannot hold id 16777217: its samples are float, which near it are 2 apart (whole numbers are exact below 16777216)");
+  EXPECT_EQ(error_of([&] { large.objects.ids.ids_of({"torus"}, "m.json"); }),
+            "m.json: \"torus\" is a name, but layer \"id\" holds numbers (0..4294967295; a Cryptomatte in \"ids\" holds names)");
+  // Every id that is let through is one that a float can be.
+  for (std::uint64_t id = 1; id < 4294967296u; id += 1 + id / 7) {
+    const bool fits = std::uint64_t(float(id)) == id;
+    EXPECT_EQ(error_of([&] { large.objects.ids.ids_of({std::to_string(id)}, "m"); }) == "no error", fits) << id;
+  }
+}
+
+TEST(ObjectIds, WholeNumberLayersAreExact) {
+  const MadeUpExr made({{"", "", with_geometry({"id:uint"})}}, 8, 2,
+                       [](const std::string& channel, int x, int y) { return channel == "id" ? 4294967288.0 + x : Frame8::value(channel, x, y); });
+  Objects objects(made.file, "", false);
+  EXPECT_TRUE(objects.ids.notes().empty());
+  const auto share = objects.share({"4294967295"});
+  for (std::size_t x = 0; x < 8; ++x) EXPECT_EQ(share[x], x == 7 ? 1.0f : 0.0f);
+}
+
+TEST(ObjectIds, MeansAndWhatIsNoId) {
+  FloatIds mixed([](int x) { return x == 3 ? 1.5 : x < 3 ? 1.0 : 2.0; });
+  ASSERT_EQ(mixed.objects.ids.notes().size(), 1u);
+  EXPECT_EQ(mixed.objects.ids.notes()[0],
+            "id layer \"id\": 2 of 16 pixels looked at hold a mean of several ids: each takes the id of an unmixed pixel near it");
+  const auto ids = mixed.objects.ids.most_covering(mixed.objects.gbuffer);
+  EXPECT_TRUE(ids[3] == 1 || ids[3] == 2) << ids[3];
+  FloatIds odd([](int x) { return x == 0 ? NAN : x == 1 ? -1 : x == 2 ? 1e20 : 5; });
+  ASSERT_EQ(odd.objects.ids.notes().size(), 1u);
+  EXPECT_EQ(odd.objects.ids.notes()[0], "id layer \"id\": 6 of 16 pixels looked at hold no id (negative, NaN or beyond 32 bits) and count as 0");
+  EXPECT_NE(error_of([] { FloatIds([](int) { return -1.5e30; }); }).find("holds no ids: all are negative, NaN or beyond 32 bits"), std::string::npos);
+}
+
+/// Blender wrote both. Two ranks are enough for their pixels, so that what all objects cover is what is covered.
+TEST(ObjectIds, BlendersFiles) {
+  for (const char* name : {"principled-ggx", "b5-interleaved"}) {
+    Objects objects(std::filesystem::path(RELUME_SOURCE) / "tests/data/corpus/blender" / name / "gbuffer.exr", "CryptoObject");
+    EXPECT_EQ(objects.ids.name(), "ViewLayer.CryptoObject");
+    ObjectCounts counts;
+    objects.ids.count(objects.gbuffer, counts);
+    for (const char* shown : {"Floor", "Suzanne", "Sphere", "Torus", "Cube", "Capsule"})
+      EXPECT_GT(counts[cryptomatte_id(shown)].pixels, 100) << shown;
+    std::vector<float> sum(std::size_t(objects.gbuffer.window.pixels()));
+    double coverage = 0, seen = 0;
+    for (const auto& [object, id] : objects.ids.manifest().ids) {
+      EXPECT_EQ(id, cryptomatte_id(object));
+      const auto share = objects.share({object});
+      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += share[i];
+      coverage += counts[id].coverage;
+    }
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      EXPECT_TRUE(sum[i] == 0 || std::fabs(sum[i] - 1) < 1e-6) << name << ' ' << i;
+      seen += sum[i] > 0;
+    }
+    EXPECT_LE(coverage, seen + 1e-3);
+    EXPECT_GT(coverage, 0.97 * seen);  // edges against the sky are covered in part
+  }
+}
+
+TEST(Inspect, ListsObjects) {
+  const std::string file = (std::filesystem::path(RELUME_SOURCE) / "tests/data/corpus/blender/principled-ggx/gbuffer.exr").string();
+  const ProgramRun text = run_program({"inspect", file});
+  EXPECT_EQ(text.code, 0) << text.err;
+  EXPECT_NE(text.out.find("objects       ViewLayer.CryptoObject (Cryptomatte of 2 ranks, names from the header), pixels: Floor "), std::string::npos)
+      << text.out;
+  const ProgramRun json = run_program({"inspect", "--json", file});
+  EXPECT_NE(json.out.find("\"id\": \"0x6a2fb16e\""), std::string::npos);
+  const MadeUpExr hostile({{"", "", with_geometry(ranks)}}, 8, 2, Frame8::value,
+                          metadata(
+                              "Crypto", "{\"\\u001b[31mred\\u202e\":\"" + [] {
+                                char id[16];
+                                std::snprintf(id, sizeof id, "%08x", cryptomatte_id("left"));
+                                return std::string(id);
+                              }() + "\"}"));
+  const ProgramRun shown = run_program({"inspect", hostile.file.string(), "--convention", "generic"});
+  EXPECT_EQ(shown.out.find('\x1b'), std::string::npos);
+  EXPECT_NE(shown.out.find("\\x1b[31mred\\u202e 8"), std::string::npos) << shown.out << shown.err;
+}
+
+}  // namespace
+}  // namespace relume
