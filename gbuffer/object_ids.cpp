@@ -19,7 +19,7 @@
 namespace relume {
 namespace {
 
-constexpr std::int64_t grain = 1 << 14;  // pixels that one task takes: enough to hide the scheduler
+constexpr std::size_t grain = 1 << 14;  // pixels that one task takes: enough to hide the scheduler
 
 std::string in_marks(const std::string& name) { return '"' + printable(name) + '"'; }
 
@@ -90,7 +90,7 @@ void keep_within(const ExrFile& file, const RoleLayer& layer, Reading& reading) 
 
 /// Calls visit(pixel, id, coverage) for every rank that shows an object.
 template <class Visit>
-void for_ranks(const GBuffer& gbuffer, const std::vector<std::string>& roles, std::int64_t pixel, const Visit& visit) {
+void for_ranks(const GBuffer& gbuffer, const std::vector<std::string>& roles, std::size_t pixel, const Visit& visit) {
   for (const std::string& role : roles) {
     const PlaneRange& planes = gbuffer.roles.at(role);
     for (int c = 0; c + 1 < planes.count; c += 2) {
@@ -103,8 +103,8 @@ void for_ranks(const GBuffer& gbuffer, const std::vector<std::string>& roles, st
 
 template <class Body>
 void for_pixels(const GBuffer& gbuffer, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, gbuffer.window.pixels(), grain), [&](const auto& range) {
-    for (std::int64_t i = range.begin(); i < range.end(); ++i) body(i);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, gbuffer.planes.pixels(), grain), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
   });
 }
 
@@ -242,23 +242,23 @@ std::string ObjectIds::called(std::uint32_t id) const {
 
 std::vector<std::uint32_t> ObjectIds::most_covering(const GBuffer& gbuffer) const {
   if (!cryptomatte_) return gbuffer.ids;
-  std::vector<std::uint32_t> ids(std::size_t(gbuffer.window.pixels()));
-  for_pixels(gbuffer, [&](std::int64_t i) {
+  std::vector<std::uint32_t> ids(gbuffer.planes.pixels());
+  for_pixels(gbuffer, [&](std::size_t i) {
     float most = 0;  // ranks need not be in order: the specification lets a renderer put chosen objects first
     for_ranks(gbuffer, roles_, i, [&](std::uint32_t id, float coverage) {
       if (coverage <= most) return;
       most = coverage;
-      ids[std::size_t(i)] = id;
+      ids[i] = id;
     });
   });
   return ids;
 }
 
 std::vector<float> ObjectIds::shares(const GBuffer& gbuffer, const std::set<std::uint32_t>& ids) const {
-  std::vector<float> shares(std::size_t(gbuffer.window.pixels()));
-  for_pixels(gbuffer, [&](std::int64_t i) {
+  std::vector<float> shares(gbuffer.planes.pixels());
+  for_pixels(gbuffer, [&](std::size_t i) {
     if (!cryptomatte_) {
-      shares[std::size_t(i)] = ids.contains(gbuffer.ids[std::size_t(i)]) ? 1.0f : 0.0f;
+      shares[i] = ids.contains(gbuffer.ids[i]) ? 1.0f : 0.0f;
       return;
     }
     float chosen = 0, all = 0;
@@ -266,7 +266,7 @@ std::vector<float> ObjectIds::shares(const GBuffer& gbuffer, const std::set<std:
       all += coverage;
       chosen += ids.contains(id) ? coverage : 0;
     });
-    shares[std::size_t(i)] = all > 0 ? chosen / all : 0;
+    shares[i] = all > 0 ? chosen / all : 0;
   });
   return shares;
 }
@@ -281,11 +281,11 @@ void ObjectIds::count(const GBuffer& gbuffer, ObjectCounts& counts) const {
     last->second.coverage += double(coverage);
   };
   const float* const surface = gbuffer.planes.plane(gbuffer.coverage.first);
-  for (std::int64_t i = 0; i < gbuffer.window.pixels(); ++i) {
+  for (std::size_t i = 0; i < gbuffer.planes.pixels(); ++i) {
     if (cryptomatte_)
       for_ranks(gbuffer, roles_, i, add);
     else if (surface[i] > 0)
-      add(gbuffer.ids[std::size_t(i)], surface[i]);
+      add(gbuffer.ids[i], surface[i]);
   }
 }
 
