@@ -147,7 +147,7 @@ void add_shade(CLI::App& command, Action& action) {
   command.add_option("--diffuse", a->diffuse, "diffuse lobe (relume list brdfs), none, or auto: what the renderer that wrote the file computes");
   command.add_option("--specular", a->specular, "specular lobe, none, or auto");
   command.add_option("--set", a->set, "PARAM=VALUE: a constant for a parameter: roughness=0.4, albedo=0.5,0.4,0.3");
-  command.add_option("--materials", a->materials, "a material file: lobes and constants for each object id");
+  command.add_option("--materials", a->materials, "a material file: lobes and constants for each object, by id or Cryptomatte name");
   command.add_option("--layers", a->layers, "what to write beside the total: diffuse,specular,ambient,lights; their sum is the total");
   command.add_option("--crop", a->crop, "X0,Y0,X1,Y1: shade this window only (X1, Y1: one past the last)");
   command

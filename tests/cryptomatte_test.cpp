@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <fstream>
+#include <random>
 
 #include "gbuffer/cryptomatte_id.h"
 #include "gbuffer/near_names.h"
@@ -75,6 +76,22 @@ TEST(Manifest, WhatIsNotSoIsLeftOutAndSaid) {
   const Manifest deep = parse_manifest(R"({"a":)" + std::string(1 << 20, '['), "the header");
   EXPECT_TRUE(deep.empty());
   EXPECT_EQ(deep.notes.size(), 2u);  // a value that is no id, and no end
+}
+
+/// Any bytes end in names and notes: nothing is thrown, and every name has an id.
+TEST(Manifest, AnyBytesAreRead) {
+  const std::string good = R"({"bunny":"13851a76","a \"quoted\" \u0440":"af8bfa09","deep":[{"x":[1,2.5e3,true,null]}],"set":"5ecc6fe8"})";
+  std::mt19937 random(1);
+  std::size_t names = 0;
+  for (int round = 0; round < 20000; ++round) {
+    std::string bytes = good.substr(0, 1 + random() % good.size());
+    for (int k = int(random() % 4); k > 0; --k) bytes[random() % bytes.size()] = char(random());
+    const Manifest manifest = parse_manifest(bytes, "the header");
+    EXPECT_LE(manifest.names.size(), manifest.ids.size());
+    EXPECT_LE(manifest.ids.size(), 4u);
+    names += manifest.ids.size();
+  }
+  EXPECT_GT(names, 10000u);
 }
 
 TEST(Manifest, IsBounded) {
