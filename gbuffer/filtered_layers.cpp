@@ -1,6 +1,8 @@
 // Telling pure pixels from mixed ones.
 #include "gbuffer/filtered_layers.h"
 
+#include "gbuffer/cryptomatte.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -57,7 +59,8 @@ FilteredLayers::FilteredLayers(const ExrFile& file, const Reading& reading, cons
   add(reading, "ids", all && fractions ? Mean::over_pixel : Mean::none, of_ids);
   add(reading, "coverage", Mean::over_pixel, of_alpha);
   add(reading, "depth", Mean::none, of_places, true);
-  for (const std::string& role : roles) add(reading, role, Mean::over_pixel, of_numbers);
+  for (const std::string& role : roles)
+    if (!role.starts_with(cryptomatte_role)) add(reading, role, Mean::over_pixel, of_numbers);  // ids' bits are no numbers
   position_ = layer("position"), ids_ = layer("ids"), alpha_ = layer("coverage"), depth_ = layer("depth");
   if (reading.normal_space == Space::view_ray) position_ = nullptr;  // a frame for each pixel: normals and chords do not compare
   read(file, reading);
