@@ -24,6 +24,7 @@ struct Camera {
   double vertical_fov = 0;            ///< degrees, of the display window; 0: not known (shading does not need it)
   double height = 0;                  ///< orthographic: world units that the display window spans vertically; 0: not known
   std::optional<Lens> lens;           ///< where known: positions are made from depth with it
+  bool assumed_lens = false;          ///< the lens was taken to be centred, with pixels as the header says: nothing tells it
   std::string source;                 ///< for people: "worldToCamera of part 0", "recovered from Position", "rig.gltf"
   double residual = -1;               ///< median reprojection error in pixels, where it was measured; else negative
 
@@ -71,6 +72,7 @@ std::optional<Camera> recover_camera(const std::vector<Sighting>& sightings, con
 struct Recovery {
   std::optional<Camera> camera;
   std::string why_not;
+  bool flat = false;  ///< because they lie in one plane, or nearly
 };
 Recovery recover(const std::vector<Sighting>& sightings, const Window& display, double max_residual = 1.0);
 

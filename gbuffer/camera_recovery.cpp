@@ -234,22 +234,22 @@ double disagreement(const std::vector<Sighting>& sightings, bool orthographic, c
 }
 
 Recovery recovered_from(const std::vector<Sighting>& sightings, const Window& display, double max_residual) {
-  if (flat(sightings)) return {{}, "all positions lie in one plane"};
+  if (flat(sightings)) return {{}, "all positions lie in one plane", true};
   const Fit perspective = fitted(sightings, solve_perspective), affine = fitted(sightings, solve_orthographic);
   // A perspective camera fits an orthographic image too, only a little better; a thousandth of a pixel is what float positions leave.
   const bool orthographic = affine.residual <= 1.1 * perspective.residual + 1e-3;
   const Fit& fit = orthographic ? affine : perspective;
-  if (!fit.determined) return {{}, "the positions fit many cameras alike"};
+  if (!fit.determined) return {{}, "the positions fit many cameras alike", false};
   if (!(fit.residual <= max_residual))
-    return {{}, "no camera sees the positions at their pixels (best: " + std::to_string(fit.residual) + " pixels off)"};
+    return {{}, "no camera sees the positions at their pixels (best: " + std::to_string(fit.residual) + " pixels off)", false};
   constexpr double too_uncertain = 0.01;  // half a degree of viewing direction: more is visible in highlights
   if (sightings.size() >= 24 && !(disagreement(sightings, orthographic, display) < too_uncertain))
-    return {{}, "the positions lie too nearly in one plane"};
+    return {{}, "the positions lie too nearly in one plane", true};
   Camera camera = camera_of(fit, orthographic, sightings, display);
   refine(camera, sightings);
   set_extent(camera, *camera.lens, display);
   camera.source = "recovered from the positions";
-  return {camera, ""};
+  return {camera, "", false};
 }
 
 std::vector<double> errors_of(const Projection34& projection, const std::vector<Sighting>& sightings) {
@@ -287,7 +287,7 @@ std::vector<Sighting> consensus(const std::vector<Sighting>& sightings) {
 }  // namespace
 
 Recovery recover(const std::vector<Sighting>& sightings, const Window& display, double max_residual) {
-  if (sightings.size() < 8) return {{}, "only " + std::to_string(sightings.size()) + " usable positions"};
+  if (sightings.size() < 8) return {{}, "only " + std::to_string(sightings.size()) + " usable positions", false};
   Recovery recovery = recovered_from(sightings, display, max_residual);
   constexpr std::size_t many = 64;  // fewer agree by chance
   if (!recovery.camera && sightings.size() >= many && !flat(sightings)) {

@@ -38,7 +38,6 @@ glm::dmat3 normal_to_position(const Reading& reading) {
   const glm::dmat3 normal = matrix_of(reading.normal_axes), back = glm::transpose(matrix_of(reading.position_axes));
   if (reading.normal_space == reading.position_space || !reading.camera) return back * normal;
   glm::dmat3 world_from_layer(reading.camera->world_from_camera);
-  if (reading.camera_z_forward) world_from_layer[2] *= -1.0;
   return back * (reading.normal_space == Space::camera ? world_from_layer : glm::transpose(world_from_layer)) * normal;
 }
 
@@ -203,13 +202,12 @@ bool shows_means(const Reading& reading, const SampledBand& band) {
   return false;
 }
 
-/// The camera in whose world the stored positions are.
+/// The camera among the positions as they are stored.
 std::optional<Camera> camera_of_positions(const Reading& reading) {
   std::optional<Camera> camera = reading.camera;
-  if (camera && reading.position_space == Space::camera) {
-    camera->world_from_camera = glm::dmat4(1.0);
-    if (reading.camera_z_forward) camera->world_from_camera[2] *= -1.0;
-  }
+  if (!camera) return camera;
+  const glm::dmat4 stored_from_ordered(glm::transpose(matrix_of(reading.position_axes)) / reading.position_scale);
+  camera->world_from_camera = stored_from_ordered * (reading.position_space == Space::camera ? glm::dmat4(1.0) : camera->world_from_camera);
   return camera;
 }
 

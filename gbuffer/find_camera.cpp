@@ -8,6 +8,7 @@
 #include <glm/vec2.hpp>
 
 #include "gbuffer/camera_header.h"
+#include "gbuffer/camera_plane.h"
 #include "gbuffer/layer_frame.h"
 #include "gbuffer/sample_rows.h"
 
@@ -199,7 +200,22 @@ void camera_without_positions(const ExrFile& file, const ReadingOptions& options
                                                ") has no field of view to make positions from depth with (--camera FILE names one that has)");
 }
 
-void recover_or_say_why(const Evidence& evidence, Reading& reading, const std::optional<Camera>& fallback) {
+/// A bare plane tells its camera where the lens is known, or an ordinary one.
+bool recover_from_plane(const ExrFile& file, const Evidence& evidence, Reading& reading, const std::optional<Camera>& fallback) {
+  const std::optional<Lens> lens = fallback ? std::nullopt : header_lens(file, reading.part, reading.display_window);
+  const bool world_normals = reading.normal_space == Space::world;
+  const auto camera = camera_of_plane(evidence.sightings, world_normals ? evidence.normals : std::vector<glm::dvec3>{}, reading.display_window,
+                                      reading.pixel_aspect, lens, evidence.agreement);
+  if (!camera) return false;
+  reading.camera = camera;
+  reading.camera->source = "recovered from " + reading.roles.at("position").layer + ", one plane";
+  reading.notes.push_back("all positions lie in one plane, or nearly: the camera is recovered with " +
+                          std::string(lens ? "the header's lens" : "a lens taken to be centred, with pixels as the header says") +
+                          " (--camera FILE names a rig, a glTF or another EXR)");
+  return true;
+}
+
+void recover_or_say_why(const ExrFile& file, const Evidence& evidence, Reading& reading, const std::optional<Camera>& fallback) {
   const Recovery recovery = recovered(evidence, reading);
   reading.camera = recovery.camera ? recovery.camera : fallback;
   if (recovery.camera) {
@@ -208,6 +224,7 @@ void recover_or_say_why(const Evidence& evidence, Reading& reading, const std::o
                               " pixels off their places: the camera recovered from them is used instead");
     return;
   }
+  if (recovery.flat && recover_from_plane(file, evidence, reading, fallback)) return;
   reading.notes.push_back("no camera could be recovered from the positions: " + recovery.why_not +
                           (fallback ? "; the header's, which does not fit them, is used" : "") +
                           " (--camera FILE names a rig, a glTF or another EXR)");
@@ -226,7 +243,7 @@ void choose(const ExrFile& file, const ReadingOptions& options, Reading& reading
   if (stated && (unchecked || (stated->residual <= evidence.agreement && !contradicting(*stated, evidence, reading))))
     reading.camera = stated;
   else
-    recover_or_say_why(evidence, reading, stated);
+    recover_or_say_why(file, evidence, reading, stated);
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
 
+#include "gbuffer/camera_plane.h"
+
 namespace relume {
 namespace {
 
@@ -167,6 +169,35 @@ TEST(Camera, PoseIsJudgedWhateverTheLens) {
   Camera behind = made.camera;
   behind.world_from_camera[2] *= -1.0;
   EXPECT_FALSE(std::isfinite(fit_pose(behind, sightings).residual));
+}
+
+TEST(Camera, APlaneTellsItWithAnOrdinaryLens) {
+  MadeUp made{looking({7, -1, 9}, {5, -3, 1})};
+  const std::vector<glm::dvec3> facing(2000, {0, 0, 1});
+  for (const double noise : {0.0, 1e-7}) {
+    const auto found = camera_of_plane(cloud(made, 2000, 0, noise, 0), facing, display, 1, {}, 1);
+    ASSERT_TRUE(found) << noise;
+    EXPECT_LT(glm::distance(found->eye(), made.camera.eye()), 1e-4);
+    EXPECT_LT(glm::distance(found->backward(), made.camera.backward()), 1e-5);
+    EXPECT_NEAR(found->lens->scale_x, 700, 0.01);
+    EXPECT_TRUE(found->assumed_lens);
+  }
+  const std::vector<glm::dvec3> averted(2000, {0, 0, -1});
+  EXPECT_FALSE(camera_of_plane(cloud(made, 2000, 0, 0, 0), averted, display, 1, {}, 1)) << "from behind, or mirrored: it does not tell";
+  EXPECT_TRUE(camera_of_plane(cloud(made, 2000, 0, 0, 0), {}, display, 1, {}, 1)) << "right-handed";
+}
+
+TEST(Camera, APlaneSeenByAShiftedLensOrHeadOnNeedsTheLensItself) {
+  const std::vector<glm::dvec3> facing(2000, {0, 0, 1});
+  const MadeUp shifted{looking({7, -1, 9}, {5, -3, 1}), 900, 640, 100, 300};
+  EXPECT_FALSE(camera_of_plane(cloud(shifted, 2000, 0, 0, 0), facing, display, 1, {}, 1));
+  const auto known = camera_of_plane(cloud(shifted, 2000, 0, 0, 0), facing, display, 1, Lens{900, 640, 100, 300}, 1);
+  ASSERT_TRUE(known);
+  EXPECT_LT(glm::distance(known->eye(), shifted.camera.eye()), 1e-6);
+  EXPECT_FALSE(known->assumed_lens);
+  const MadeUp head_on{looking({5, -3, 9}, {5, -3, 1})};
+  EXPECT_FALSE(camera_of_plane(cloud(head_on, 2000, 0, 1e-7, 0), facing, display, 1, {}, 1));
+  EXPECT_TRUE(camera_of_plane(cloud(head_on, 2000, 0, 1e-7, 0), facing, display, 1, Lens{700, 700, 320, 180}, 1));
 }
 
 }  // namespace

@@ -46,12 +46,13 @@ void choose_lobes(Reading& reading) {
 
 /// A view layer that shows a bare floor determines no camera, but all view layers were seen by the same one.
 void settle_camera(const ExrFile& file, const ReadingOptions& options, Reading& reading) {
-  if (reading.camera) return;
+  if (reading.camera && !reading.camera->assumed_lens) return;
   const auto layers = layers_of(file);
   std::set<std::string> tried{reading.view_layer};
   for (const Layer& layer : layers) {
     if (!tried.insert(layer.view_layer).second) continue;
     Reading other = reading;
+    other.camera.reset();
     for (const char* role : {"position", "normal", "depth"}) other.roles.erase(role);
     const auto chosen = chosen_layers(layers, layer.view_layer, reading.view);
     const auto named = named_layers(chosen, [](const Layer& l) { return l.name; });
@@ -61,7 +62,7 @@ void settle_camera(const ExrFile& file, const ReadingOptions& options, Reading& 
     if (!other.roles.contains("position") || !other.roles.contains("normal")) continue;
     if (file.parts()[std::size_t(other.roles.at("position").part)].data_window != reading.data_window) continue;
     find_camera(file, options, other);
-    if (!other.camera) continue;
+    if (!other.camera || other.camera->assumed_lens) continue;
     reading.camera = other.camera;
     reading.camera->source += " of view layer \"" + printable(layer.view_layer) + '"';
     reading.notes.push_back("the camera is taken from view layer \"" + printable(layer.view_layer) + '"');
