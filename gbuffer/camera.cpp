@@ -120,4 +120,8 @@ PoseFit fit_pose(const Camera& camera, const std::vector<Sighting>& sightings) {
   return fit;
 }
 
+std::optional<Camera> recover_camera(const std::vector<Sighting>& sightings, const Window& display, double max_residual) {
+  return recover(sightings, display, max_residual).camera;
+}
+
 }  // namespace relume

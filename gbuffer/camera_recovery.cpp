@@ -157,17 +157,14 @@ bool flat(const std::vector<Sighting>& sightings) {
   return values(0) <= 1e-10 * values(2);  // thinner than a 100000th of its extent: single precision cannot tell it from a plane
 }
 
-glm::dmat4 frame(const Vector3d& right, const Vector3d& up, const Vector3d& backward, const Vector3d& eye) {
-  return {glm::dvec4(glm_of(right), 0), glm::dvec4(glm_of(up), 0), glm::dvec4(glm_of(backward), 0), glm::dvec4(glm_of(eye), 1)};
-}
-
 /// Right and up made perpendicular to backward and to each other, turned equally; their handedness is kept.
 glm::dmat4 square_frame(Vector3d right, Vector3d up, const Vector3d& backward, const Vector3d& eye) {
   const double hand = right.cross(up).dot(backward) < 0 ? -1 : 1;
   right = (right - backward * right.dot(backward)).normalized();
   up = (up - backward * up.dot(backward)).normalized();
   const Vector3d middle = (right + up).normalized(), across = hand * backward.cross(middle);
-  return frame((middle - across).normalized(), (middle + across).normalized(), backward, eye);
+  right = (middle - across).normalized(), up = (middle + across).normalized();
+  return {glm::dvec4(glm_of(right), 0), glm::dvec4(glm_of(up), 0), glm::dvec4(glm_of(backward), 0), glm::dvec4(glm_of(eye), 1)};
 }
 
 Camera perspective_camera(Projection34 p, const std::vector<Sighting>& sightings) {
@@ -298,10 +295,6 @@ Recovery recover(const std::vector<Sighting>& sightings, const Window& display, 
   }
   if (recovery.camera) recovery.camera->residual = reprojection_error(*recovery.camera, sightings);
   return recovery;
-}
-
-std::optional<Camera> recover_camera(const std::vector<Sighting>& sightings, const Window& display, double max_residual) {
-  return recover(sightings, display, max_residual).camera;
 }
 
 }  // namespace relume
