@@ -1,0 +1,105 @@
+// relume doctor: what is wrong with a G-buffer, where, what it does to the picture, and which option mends it; exit 1 on a defect.
+#include "gbuffer/doctor.h"
+
+#include <cstdio>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "cli/reading_arguments.h"
+#include "gbuffer/printable.h"
+#include "host/rig.h"
+
+namespace relume {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct DoctorArguments {
+  std::string file, png;
+  std::vector<std::string> rigs;
+  bool json = false, overwrite = false;
+  ReadingArguments reading;
+};
+
+/// The lights that stand somewhere: a position counts by its distance to them.
+std::vector<glm::dvec3> places_of_lights(const ExrFile& file, const ReadingOptions& reading, const std::vector<std::string>& rigs) {
+  RigOptions options;
+  options.convention = convention_of(file, reading).name;
+  options.world_is_z_up = options.convention == "blender";
+  std::vector<glm::dvec3> places;
+  for (const std::string& rig : rigs)
+    for (const Light& light : read_rig(rig, options).lights)
+      if (light.type == LightType::point || light.type == LightType::spot) places.push_back(light.position);
+  return places;
+}
+
+const char* name_of(Severity severity) { return severity == Severity::defect ? "defect" : "hint"; }
+
+Json finding_json(const Finding& f) {
+  Json json{{"ailment", f.ailment}, {"severity", name_of(f.severity)}, {"layer", f.layer.empty() ? Json() : Json(f.layer)}};
+  if (f.where) {
+    json["pixels"] = f.where->pixels;
+    json["box"] = {{"x0", f.where->box.min_x}, {"y0", f.where->box.min_y}, {"x1", f.where->box.max_x}, {"y1", f.where->box.max_y}};
+    json["example"] = {{"x", f.where->x}, {"y", f.where->y}};
+  }
+  json["what"] = f.what;
+  json["effect"] = f.effect;
+  json["cure"] = f.cure;
+  return json;
+}
+
+Json diagnosis_json(const ExrFile& file, const Diagnosis& diagnosis) {
+  Json findings = Json::array();
+  for (const Finding& f : diagnosis.findings) findings.push_back(finding_json(f));
+  Json json{{"file", file.path().string()},       {"convention", diagnosis.reading.convention},
+            {"understood", diagnosis.understood}, {"pixels", diagnosis.reading.data_window.pixels()},
+            {"sick", diagnosis.sick()},           {"findings", findings}};
+  if (!diagnosis.understood) json["why_not"] = diagnosis.why_not;
+  return json;
+}
+
+void print(const Finding& f) {
+  const auto line = [](const char* head, const std::string& text) { std::printf("%-8s%s\n", head, printable_sentence(text).c_str()); };
+  line(name_of(f.severity), f.ailment + (f.layer.empty() ? "" : " in " + printable(f.layer)) + ": " + f.what);
+  if (f.where)
+    std::printf("        %lld pixels within (%d, %d) .. (%d, %d), such as (%d, %d)\n", static_cast<long long>(f.where->pixels), f.where->box.min_x,
+                f.where->box.min_y, f.where->box.max_x - 1, f.where->box.max_y - 1, f.where->x, f.where->y);
+  if (!f.effect.empty()) line("", "effect: " + f.effect);
+  if (!f.cure.empty()) line("", "cure:   " + f.cure);
+}
+
+void print(const ExrFile& file, const Diagnosis& diagnosis) {
+  std::size_t defects = 0;
+  for (const Finding& f : diagnosis.findings) {
+    print(f);
+    defects += f.severity == Severity::defect;
+  }
+  std::printf("%s: %zu defect(s), %zu hint(s)\n", printable(file.path().string()).c_str(), defects, diagnosis.findings.size() - defects);
+}
+
+int doctor(const DoctorArguments& a) {
+  const ExrFile file(a.file);
+  const ReadingOptions options = a.reading.options();
+  const std::vector<glm::dvec3> lights = places_of_lights(file, options, a.rigs);
+  const Diagnosis diagnosis = diagnose(file, options, lights);
+  if (a.json)
+    std::cout << diagnosis_json(file, diagnosis).dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+  else
+    print(file, diagnosis);
+  return diagnosis.sick() ? 1 : 0;
+}
+
+}  // namespace
+
+void add_doctor(CLI::App& command, Action& action) {
+  const auto a = std::make_shared<DoctorArguments>();
+  command.add_option("gbuffer", a->file, "an OpenEXR file")->required();
+  command.add_option("-l,--lights", a->rigs, "rigs whose lights the precision of positions is judged by");
+  command.add_flag("--json", a->json, "for programs");
+  a->reading.add_to(command);
+  command.footer("Example: relume doctor shot.exr --lights rig.json");
+  command.callback([a, &action] { action = [a] { return doctor(*a); }; });
+}
+
+}  // namespace relume
