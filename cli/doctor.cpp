@@ -1,12 +1,16 @@
 // relume doctor: what is wrong with a G-buffer, where, what it does to the picture, and which option mends it; exit 1 on a defect.
 #include "gbuffer/doctor.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
 #include "cli/reading_arguments.h"
+#include "gbuffer/contact_sheet.h"
+#include "gbuffer/error.h"
 #include "gbuffer/printable.h"
 #include "host/rig.h"
 
@@ -78,6 +82,24 @@ void print(const ExrFile& file, const Diagnosis& diagnosis) {
   std::printf("%s: %zu defect(s), %zu hint(s)\n", printable(file.path().string()).c_str(), defects, diagnosis.findings.size() - defects);
 }
 
+/// A picture of each layer, one of where the findings are, and a sheet of all.
+void write_pictures(const ExrFile& file, const Diagnosis& diagnosis, const std::vector<glm::dvec3>& lights, const DoctorArguments& a) {
+  const std::filesystem::path folder = a.png;
+  std::error_code fault;
+  std::filesystem::create_directories(folder, fault);
+  if (fault) throw Error(ErrorKind::output, printable(a.png) + ": the folder cannot be made (" + fault.message() + ")");
+  std::vector<View> views = false_colour_views(file, diagnosis.reading);
+  if (views.empty()) throw Error(ErrorKind::input, printable(a.file) + ": no layer to make a picture of");
+  std::vector<bool> defect(256);
+  for (std::size_t k = 0; k < std::min<std::size_t>(diagnosis.findings.size(), 255); ++k)
+    defect[k + 1] = diagnosis.findings[k].severity == Severity::defect;
+  const auto normals = std::find_if(views.begin(), views.end(), [](const View& v) { return v.name == "normal"; });
+  const View& under = normals == views.end() ? views.front() : *normals;
+  views.push_back(marked_view(under, diagnosis.reading.data_window, mark_findings(file, diagnosis, lights), defect));
+  for (const View& view : views) write_png(folder / (view.name + ".png"), view.picture, a.overwrite);
+  write_png(folder / "sheet.png", contact_sheet(views), a.overwrite);
+}
+
 int doctor(const DoctorArguments& a) {
   const ExrFile file(a.file);
   const ReadingOptions options = a.reading.options();
@@ -87,6 +109,7 @@ int doctor(const DoctorArguments& a) {
     std::cout << diagnosis_json(file, diagnosis).dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
   else
     print(file, diagnosis);
+  if (!a.png.empty()) write_pictures(file, diagnosis, lights, a);
   return diagnosis.sick() ? 1 : 0;
 }
 
@@ -96,6 +119,8 @@ void add_doctor(CLI::App& command, Action& action) {
   const auto a = std::make_shared<DoctorArguments>();
   command.add_option("gbuffer", a->file, "an OpenEXR file")->required();
   command.add_option("-l,--lights", a->rigs, "rigs whose lights the precision of positions is judged by");
+  command.add_option("--png", a->png, "a folder for a picture of each layer in false colours, and a sheet of all");
+  command.add_flag("--overwrite", a->overwrite, "replace pictures that are there");
   command.add_flag("--json", a->json, "for programs");
   a->reading.add_to(command);
   command.footer("Example: relume doctor shot.exr --lights rig.json");

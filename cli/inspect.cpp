@@ -1,4 +1,7 @@
 // relume inspect: what was understood of a file, on what evidence, and how to overrule it.
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -21,7 +24,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const char* name_of(SampleType type) { return type == SampleType::half_float ? "half" : type == SampleType::float32 ? "float" : "uint"; }
-const char* name_of(Space space) { return space == Space::world ? "world" : "camera"; }
+const char* name_of(Space space) { return space == Space::world ? "world" : space == Space::camera ? "camera" : "view ray"; }
 
 Json window_json(const Window& w) { return {{"x0", w.min_x}, {"y0", w.min_y}, {"x1", w.max_x}, {"y1", w.max_y}}; }
 
@@ -37,34 +40,54 @@ Json camera_json(const Camera& camera) {
   return json;
 }
 
-/// The range of one role's values over surface pixels, gathered band by band.
-struct Range {
-  std::vector<float> lowest, highest;
+/// The range of one component's values over surface pixels.
+struct Extent {
+  float lowest = std::numeric_limits<float>::infinity(), highest = -std::numeric_limits<float>::infinity();
   std::int64_t not_finite = 0;
 
+  void add(float value) {
+    if (!std::isfinite(value)) {
+      ++not_finite;
+      return;
+    }
+    lowest = std::min(lowest, value);
+    highest = std::max(highest, value);
+  }
+  Extent with(const Extent& other) const { return {std::min(lowest, other.lowest), std::max(highest, other.highest), not_finite + other.not_finite}; }
+};
+
+Extent extent_of(const float* plane, const float* coverage, std::int64_t pixels) {
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::int64_t>(0, pixels, 1 << 15), Extent{},
+      [=](const auto& range, Extent extent) {
+        for (std::int64_t i = range.begin(); i < range.end(); ++i)
+          if (coverage[i] > 0) extent.add(plane[i]);
+        return extent;
+      },
+      [](const Extent& a, const Extent& b) { return a.with(b); });
+}
+
+/// The ranges of one role's components, gathered band by band.
+struct Range {
+  std::vector<Extent> components;
+
   void add(const GBuffer& gbuffer, const PlaneRange& range) {
-    lowest.resize(std::size_t(range.count), std::numeric_limits<float>::infinity());
-    highest.resize(std::size_t(range.count), -std::numeric_limits<float>::infinity());
-    const float* coverage = gbuffer.planes.plane(gbuffer.coverage.first);
+    components.resize(std::size_t(range.count));
+    const float* const coverage = gbuffer.planes.plane(gbuffer.coverage.first);
     for (int c = 0; c < range.count; ++c) {
-      const float* plane = gbuffer.planes.plane(range.first + c);
-      for (std::int64_t i = 0; i < gbuffer.window.pixels(); ++i) {
-        if (coverage[i] <= 0) continue;
-        if (!std::isfinite(plane[i])) {
-          ++not_finite;
-          continue;
-        }
-        lowest[std::size_t(c)] = std::min(lowest[std::size_t(c)], plane[i]);
-        highest[std::size_t(c)] = std::max(highest[std::size_t(c)], plane[i]);
-      }
+      Extent& extent = components[std::size_t(c)];
+      extent = extent.with(extent_of(gbuffer.planes.plane(range.first + c), coverage, gbuffer.window.pixels()));
     }
   }
 
   Json json() const {
     Json low = Json::array(), high = Json::array();
-    for (std::size_t c = 0; c < lowest.size(); ++c) {
-      low.push_back(lowest[c] <= highest[c] ? Json(lowest[c]) : Json());
-      high.push_back(lowest[c] <= highest[c] ? Json(highest[c]) : Json());
+    std::int64_t not_finite = 0;
+    for (const Extent& extent : components) {
+      const bool any = extent.lowest <= extent.highest;
+      low.push_back(any ? Json(extent.lowest) : Json());
+      high.push_back(any ? Json(extent.highest) : Json());
+      not_finite += extent.not_finite;
     }
     return {{"lowest", low}, {"highest", high}, {"not_finite", not_finite}};
   }
@@ -135,6 +158,13 @@ Json parts_json(const ExrFile& file) {
   return parts;
 }
 
+Json verdicts_json(const Reading& reading) {
+  Json verdicts = Json::array();
+  for (const Verdict& v : reading.verdicts)
+    verdicts.push_back({{"question", v.question}, {"answer", v.answer}, {"sure", v.sure}, {"evidence", v.evidence}, {"option", v.option}});
+  return verdicts;
+}
+
 Json inspect_json(const ExrFile& file, const Reading& reading) {
   Json json{{"file", file.path().string()}, {"convention", reading.convention}, {"evidence", reading.evidence}, {"parts", parts_json(file)}};
   json.update(roles_json(file, reading));
@@ -143,6 +173,8 @@ Json inspect_json(const ExrFile& file, const Reading& reading) {
   json["normal_encoding"] = reading.normal_encoding == NormalEncoding::as_signed ? "signed" : "unsigned";
   json["default_lobes"] = {reading.default_diffuse, reading.default_specular};
   json["camera"] = reading.camera ? camera_json(*reading.camera) : Json();
+  json["verdicts"] = verdicts_json(reading);
+  json["made"] = reading.made;
   json["notes"] = reading.notes;
   return json;
 }
@@ -180,6 +212,10 @@ void print(const Json& j) {
   std::printf("default lobes %s + %s\n", text(j["default_lobes"][0]).c_str(), text(j["default_lobes"][1]).c_str());
   if (j["bad_pixels"] > 0) std::printf("defect        %lld pixels with a NaN or infinite position or normal\n", j["bad_pixels"].get<long long>());
   print_objects(j["objects"]);
+  for (const auto& v : j["verdicts"])
+    std::printf("%-13s %s%s: %s (%s overrules)\n", text(v["question"]).c_str(), text(v["answer"]).c_str(), v["sure"] ? "" : ", not sure",
+                printable_sentence(v["evidence"].get<std::string>()).c_str(), text(v["option"]).c_str());
+  for (const auto& made : j["made"]) std::printf("made          %s\n", printable_sentence(made.get<std::string>()).c_str());
   for (const auto& note : j["notes"]) std::printf("note          %s\n", printable_sentence(note.get<std::string>()).c_str());
 }
 

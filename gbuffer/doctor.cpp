@@ -27,7 +27,10 @@ void add_remaining_layers(const std::vector<Layer>& layers, Reading& reading) {
   for (const auto& [role, layer] : reading.roles) taken.insert(layer.channels.begin(), layer.channels.end());
   for (const Layer& layer : layers) {
     RoleLayer all{layer.part, display_name(layer, true), {}, {}};
-    for (const Component& component : layer.components) {
+    std::vector<Component> components = layer.components;
+    const auto rank = [order = layer.triple()](const Component& c) { return std::find(order.begin(), order.end(), c.channel) - order.begin(); };
+    std::stable_sort(components.begin(), components.end(), [&](const Component& a, const Component& b) { return rank(a) < rank(b); });
+    for (const Component& component : components) {
       if (taken.contains(component.channel)) continue;
       all.channels.push_back(component.channel);
       all.types.push_back(component.type);

@@ -49,17 +49,6 @@ Function* function_named(const char* name, const std::string& place, ErrorKind k
 
 float linear_of(float encoded) { return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f); }
 
-/// The 8-bit code nearest to the encoded value, without a power for each pixel: how many codes' upper bounds lie at or below it.
-std::uint8_t srgb_code(float linear) {
-  static const std::array<float, 255> bounds = [] {
-    std::array<float, 255> all{};
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = linear_of((float(i) + 0.5f) / 255);
-    return all;
-  }();
-  if (std::isnan(linear)) return 0;
-  return std::uint8_t(std::upper_bound(bounds.begin(), bounds.end(), linear) - bounds.begin());
-}
-
 std::uint8_t alpha_code(float alpha) { return std::uint8_t(std::lround(std::clamp(std::isnan(alpha) ? 0.0f : alpha, 0.0f, 1.0f) * 255)); }
 
 std::vector<unsigned char> encode(const Picture& picture, double exposure_stops) {
@@ -98,22 +87,44 @@ void linearise(Picture& picture, int alpha_channel) {
 
 }  // namespace
 
+std::uint8_t srgb_code(float linear) {
+  static const std::array<float, 255> bounds = [] {
+    std::array<float, 255> all{};
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = linear_of((float(i) + 0.5f) / 255);
+    return all;
+  }();
+  if (std::isnan(linear)) return 0;
+  return std::uint8_t(std::upper_bound(bounds.begin(), bounds.end(), linear) - bounds.begin());
+}
+
 void write_png(const fs::path& file, const Picture& picture, double exposure_stops, bool overwrite) {
+  const bool fits = picture.values.size() == std::size_t(picture.width) * std::size_t(picture.height) * std::size_t(picture.channels);
+  if (!fits) throw Error(ErrorKind::internal, printable(file.native()) + ": a picture without all its pixels");
+  if (!overwrite && fs::exists(file)) WholeFile(file, overwrite);  // refuses before the work
+  write_png(file, CodedPicture{picture.width, picture.height, picture.channels, encode(picture, exposure_stops)}, overwrite);
+}
+
+void write_png(const fs::path& file, const CodedPicture& picture, bool overwrite) {
   const std::string place = printable(file.native());
   const bool fits = picture.width > 0 && picture.height > 0 && (picture.channels == 1 || picture.channels == 3 || picture.channels == 4) &&
-                    picture.values.size() == std::size_t(picture.width) * std::size_t(picture.height) * std::size_t(picture.channels);
+                    picture.codes.size() == std::size_t(picture.width) * std::size_t(picture.height) * std::size_t(picture.channels);
   if (!fits) throw Error(ErrorKind::internal, place + ": a PNG needs pixels of 1, 3 or 4 channels");
   WholeFile out(file, overwrite);  // refuses before the work
   auto* const encode_png = function_named<EncodePng>("relume_encode_png", place, ErrorKind::output);
-  const std::vector<unsigned char> codes = encode(picture, exposure_stops);
   std::vector<char> bytes;
   PictureBytes* const take = [](void* context, const void* data, std::size_t size) {
     static_cast<std::vector<char>*>(context)->assign(static_cast<const char*>(data), static_cast<const char*>(data) + size);
   };
-  if (const char* const fault = encode_png(codes.data(), picture.width, picture.height, picture.channels, take, &bytes))
+  if (const char* const fault = encode_png(picture.codes.data(), picture.width, picture.height, picture.channels, take, &bytes))
     throw Error(ErrorKind::output, place + ": " + printable(fault));
   out.write(bytes.data(), bytes.size());
   out.commit();
+}
+
+void compose_sheet(std::span<const SheetTile> tiles, const SheetShape& shape, CodedPicture& sheet) {
+  auto* const compose = function_named<ComposeSheet>("relume_compose_sheet", "contact sheet", ErrorKind::output);
+  if (const char* const fault = compose(tiles.data(), int(tiles.size()), shape, sheet.codes.data(), sheet.width, sheet.height))
+    throw Error(ErrorKind::output, std::string("contact sheet: ") + printable(fault));
 }
 
 Picture read_picture(const fs::path& file) {

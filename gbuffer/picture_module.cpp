@@ -3,6 +3,8 @@
 #include "gbuffer/picture_module.h"
 
 #include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 
 #include <cstdint>
@@ -47,7 +49,42 @@ bool is_srgb(const OIIO::ImageSpec& spec, const std::string& reader) {
   return spec.format == OIIO::TypeUInt8 || (spec.format == OIIO::TypeUInt16 && reader == "png");
 }
 
+OIIO::ImageBuf wrapped(const void* pixels, int width, int height) {
+  return {OIIO::ImageSpec(width, height, 3, OIIO::TypeUInt8), const_cast<void*>(pixels)};
+}
+
+/// The first font that there is: OpenImageIO brings none. Without one the text is left out.
+void write_text(OIIO::ImageBuf& sheet, int x, int y, const std::string& text, int size) {
+  static const float light[] = {0.85f, 0.85f, 0.85f};
+  for (const char* const font : {"DejaVuSans", "LiberationSans-Regular", "NotoSans-Regular", "FreeSans", "DroidSans"})
+    if (OIIO::ImageBufAlgo::render_text(sheet, x, y, text, size, font, light)) return;
+  (void)sheet.geterror();  // asked for, it is forgotten
+}
+
+/// Whatever is longer than its tile is cut, so that labels do not run into each other.
+std::string fitting(const std::string& label, int width, int size) {
+  const std::size_t most = std::size_t(width) * 100 / std::size_t(size * 55);  // letters are about 0.55 of their size wide
+  return label.size() <= most ? label : label.substr(0, most > 3 ? most - 3 : 0) + "...";
+}
+
 }  // namespace
+
+const char* relume_compose_sheet(const relume::SheetTile* tiles, int count, const relume::SheetShape& shape, unsigned char* sheet, int width,
+                                 int height) {
+  return reported([&]() -> const char* {
+    OIIO::ImageBuf all = wrapped(sheet, width, height);
+    for (int k = 0; k < count; ++k) {
+      const int x = shape.gap + k % shape.columns * (shape.tile_width + shape.gap);
+      const int y = shape.gap + k / shape.columns * (shape.tile_height + shape.label_height + shape.gap);
+      const OIIO::ROI room(0, shape.tile_width, 0, shape.tile_height, 0, 1, 0, 3);
+      const OIIO::ImageBuf scaled = OIIO::ImageBufAlgo::resize(wrapped(tiles[k].pixels, tiles[k].width, tiles[k].height), "box", 0, room);
+      if (!OIIO::ImageBufAlgo::paste(all, x, y, 0, 0, scaled)) return say(all.geterror());
+      const int size = shape.label_height * 2 / 3;
+      write_text(all, x, y + shape.tile_height + size + 2, fitting(tiles[k].label, shape.tile_width, size), size);
+    }
+    return nullptr;
+  });
+}
 
 const char* relume_encode_png(const unsigned char* pixels, int width, int height, int channels, relume::PictureBytes* take, void* context) {
   return reported([&]() -> const char* {

@@ -1,7 +1,9 @@
 // Normals that point away from the viewer: flipped, or the backs of surfaces.
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "gbuffer/ailments/ailment.h"
+#include "gbuffer/ailments/neighbourhood.h"
 
 namespace relume {
 namespace {
@@ -10,14 +12,22 @@ glm::dvec3 towards_viewer(const Camera& camera, const glm::dvec3& place) {
   return camera.projection == Camera::Projection::orthographic ? camera.backward() : glm::normalize(camera.eye() - place);
 }
 
+/// The surface's own normal, turned to the viewer, tells a flipped normal from one that a bump or a coarse mesh bends over the silhouette.
 void look(const Row& row, std::span<Tally> tallies) {
-  constexpr double away = -0.1;  // interpolated normals of a coarse mesh lean over its silhouette by a few degrees
   if (row.normal.empty() || row.place.empty() || !row.reading.camera) return;
+  const Neighbourhood neighbourhood(row);
   for (std::size_t i = 0; i < row.normal.size(); ++i) {
     if (row.shown[i] != Shown::surface) continue;
     ++tallies[0].judged;
-    const double facing = glm::dot(row.normal[i], towards_viewer(*row.reading.camera, row.place[i]));
-    if (facing < away) tallies[0].add(row.min_x + int(i), row.y, -facing);
+    const glm::dvec3 view = towards_viewer(*row.reading.camera, row.place[i]);
+    const double facing = glm::dot(row.normal[i], view);
+    if (facing >= 0) continue;
+    const glm::dvec3 surface = neighbourhood.normal_at(int(i));
+    constexpr double plainly = -0.5;  // 120 degrees off the surface's own side
+    const bool flipped = surface == glm::dvec3(0) ? facing < plainly
+                                                  : glm::dot(row.normal[i], surface) * glm::dot(surface, view) < 0 &&
+                                                        std::abs(glm::dot(row.normal[i], surface)) > -plainly;
+    if (flipped) tallies[0].add(row.min_x + int(i), row.y, -facing);
   }
 }
 
@@ -40,8 +50,7 @@ void examine(const Patient& patient, std::vector<Check>& checks, std::vector<Fin
   if (!patient.has("normal") || !patient.has("position") || !patient.reading.camera) return;
   const auto conclude = [facing = patient.reading.facing, layer = patient.layer("normal").layer](std::span<const Tally> tallies,
                                                                                                  std::vector<Finding>& findings) {
-    constexpr double noise = 1e-4;  // of the frame: single pixels at silhouettes
-    if (tallies[0].share() > noise) findings.push_back(found(tallies[0], facing, layer));
+    if (tallies[0].pixels) findings.push_back(found(tallies[0], facing, layer));
   };
   checks.push_back({{}, 1, look, conclude});
 }

@@ -5,47 +5,12 @@
 #include <glm/mat3x3.hpp>
 
 #include "gbuffer/ailments/ailment.h"
+#include "gbuffer/ailments/neighbourhood.h"
 
 namespace relume {
 namespace {
 
 using glm::dvec3;
-
-/// Positions as stored, of a pixel and its neighbours: three rows.
-class Neighbourhood {
- public:
-  explicit Neighbourhood(const Row& row) : row_(row), half_(row.reading.roles.at("position").types.front() == SampleType::half_float) {
-    for (int down = -1; down <= 1; ++down)
-      for (int c = 0; c < 3; ++c) rows_[down + 1][c] = row.stored("position", c, down);
-  }
-
-  /// The surface's own normal (any length, either side, world) where the positions around are one smooth surface; else zero.
-  dvec3 normal_at(int x) const {
-    const dvec3 across = smooth(x, -1, 0, 1, 0), along = smooth(x, 0, -1, 0, 1);
-    if (across == dvec3(0) || along == dvec3(0)) return dvec3(0);
-    return row_.frame.position_in_world(glm::cross(across, along)) - row_.frame.position_in_world(dvec3(0));
-  }
-
- private:
-  dvec3 at(int x, int down) const {
-    const auto& r = rows_[down + 1];
-    return x < 0 || x >= row_.width || !r[0] ? dvec3(NAN) : dvec3(r[0][x], r[1][x], r[2][x]);
-  }
-
-  /// The step from one neighbour to the other, if both sides go on alike and it is more than rounding.
-  dvec3 smooth(int x, int ax, int ay, int bx, int by) const {
-    const dvec3 centre = at(x, 0), before = centre - at(x + ax, ay), after = at(x + bx, by) - centre;
-    const double b = glm::length(before), a = glm::length(after);
-    // Depth steps make one side much longer; numbers move in steps of 2^-10 (half) or 2^-23 of themselves, of which it takes some.
-    if (!(a < 2 * b && b < 2 * a && glm::dot(before, after) > 0.9 * a * b)) return dvec3(0);
-    if (a < glm::length(centre) * (half_ ? 0x1p-6 : 0x1p-19)) return dvec3(0);
-    return before + after;
-  }
-
-  const Row& row_;
-  const bool half_;
-  const float* rows_[3][3];
-};
 
 enum Count { off, off_in_other_space, off_and_upright, counts };
 
@@ -57,15 +22,14 @@ dvec3 in_other_space(const Row& row, const dvec3& normal) {
 }
 
 void look(const Row& row, std::span<Tally> tallies) {
-  if (row.normal.empty() || row.place.empty() || !row.stored("position", 0, -1) || !row.stored("position", 0, 1)) return;
+  if (row.normal.empty() || row.place.empty()) return;
   const Neighbourhood neighbourhood(row);
   const float* const upward = row.stored("normal", 2);
-  for (int x = 1; x + 1 < row.width; ++x) {
+  for (int x = 0; x < row.width; ++x) {
     if (row.shown[std::size_t(x)] != Shown::surface) continue;
-    const dvec3 own = neighbourhood.normal_at(x);
-    if (!(glm::dot(own, own) > 0)) continue;
+    const dvec3 surface = neighbourhood.normal_at(x), &normal = row.normal[std::size_t(x)];
+    if (surface == dvec3(0)) continue;
     constexpr double sixty_degrees = 0.5;  // more than bump maps tilt
-    const dvec3 surface = glm::normalize(own), &normal = row.normal[std::size_t(x)];
     const auto misses = [&](const dvec3& n) { return !(std::abs(glm::dot(n, surface)) >= sixty_degrees); };
     for (Tally& tally : tallies) ++tally.judged;
     if (misses(in_other_space(row, normal))) tallies[off_in_other_space].add(row.min_x + x, row.y);

@@ -31,15 +31,21 @@ void look(const Row& row, const std::string& role, std::span<Tally> tallies) {
 
 std::string cure_of(const std::string& role) { return "--map " + role + "=LAYER takes another layer, --set " + role + "=VALUE a constant"; }
 
-void conclude(std::span<const Tally> t, const std::string& role, const std::string& layer, std::vector<Finding>& findings) {
+/// What Mitsuba stores as a conductor's albedo is what it reflects to the viewer (research: mitsuba-truth); its materials come by object id.
+bool reflectance_of_conductors(const Reading& reading, const std::string& role) { return reading.convention == "mitsuba" && role == "albedo"; }
+
+void conclude(std::span<const Tally> t, const std::string& role, const Reading& reading, std::vector<Finding>& findings) {
+  const std::string& layer = reading.roles.at(role).layer;
   if (t[below].pixels)
     findings.push_back({"", Severity::defect, layer, t[below],
                         role + " is negative at " + share_in_words(t[below]) + ", down to " + three_digits(-t[below].worst),
                         "these pixels come out too dark, or negative", cure_of(role)});
-  if (t[above].pixels)
-    findings.push_back({"", Severity::defect, layer, t[above],
-                        role + " is above 1 at " + share_in_words(t[above]) + ", up to " + three_digits(t[above].worst),
-                        "these pixels reflect more than falls on them: too bright", cure_of(role) + "; --materials FILE by object"});
+  if (t[above].pixels == 0) return;
+  const bool conductors = reflectance_of_conductors(reading, role);
+  findings.push_back({"", conductors ? Severity::hint : Severity::defect, layer, t[above],
+                      role + " is above 1 at " + share_in_words(t[above]) + ", up to " + three_digits(t[above].worst) +
+                          (conductors ? ": Mitsuba's conductors store no colour there" : ""),
+                      "these pixels reflect more than falls on them: too bright", cure_of(role) + "; --materials FILE by object"});
 }
 
 void examine(const Patient& patient, std::vector<Check>& checks, std::vector<Finding>&) {
@@ -48,8 +54,8 @@ void examine(const Patient& patient, std::vector<Check>& checks, std::vector<Fin
     checks.push_back({{role},
                       sides,
                       [name = std::string(role)](const Row& row, std::span<Tally> tallies) { look(row, name, tallies); },
-                      [name = std::string(role), layer = patient.layer(role).layer](std::span<const Tally> t, std::vector<Finding>& f) {
-                        conclude(t, name, layer, f);
+                      [name = std::string(role), &reading = patient.reading](std::span<const Tally> t, std::vector<Finding>& f) {
+                        conclude(t, name, reading, f);
                       }});
   }
 }

@@ -7,6 +7,9 @@
 namespace relume {
 namespace {
 
+/// The tails of a filter leave next to nothing of a normal around a silhouette: only what is exactly zero counts where layers are filtered.
+float longest_zero(const Reading& reading) { return reading.position_premultiplied ? 0 : 1e-6f; }
+
 /// A place other than the origin, in front of the background, covered if the file says what is.
 void look(const Row& row, std::span<Tally> tallies) {
   if (row.normal.empty() || row.place.empty()) return;
@@ -18,7 +21,7 @@ void look(const Row& row, std::span<Tally> tallies) {
     if (depth && !(std::abs(depth[i]) < row.reading.background_depth)) continue;
     if (coverage && !(coverage[i] > 0)) continue;
     ++tallies[0].judged;
-    if (row.normal[i] == glm::dvec3(0)) tallies[0].add(row.min_x + int(i), row.y);
+    if (row.length[i] <= longest_zero(row.reading)) tallies[0].add(row.min_x + int(i), row.y);
   }
 }
 
