@@ -12,6 +12,7 @@
 #include "gbuffer/contact_sheet.h"
 #include "gbuffer/error.h"
 #include "gbuffer/printable.h"
+#include "host/camera_choice.h"
 #include "host/rig.h"
 
 namespace relume {
@@ -26,16 +27,28 @@ struct DoctorArguments {
   ReadingArguments reading;
 };
 
-/// The lights that stand somewhere: a position counts by its distance to them.
-std::vector<glm::dvec3> places_of_lights(const ExrFile& file, const ReadingOptions& reading, const std::vector<std::string>& rigs) {
+Rig rig_of(const ExrFile& file, const ReadingOptions& reading, const std::vector<std::string>& files) {
   RigOptions options;
   options.convention = convention_of(file, reading).name;
   options.world_is_z_up = options.convention == "blender";
+  std::vector<Rig> rigs;
+  for (const std::string& rig : files) rigs.push_back(read_rig(rig, options));
+  return merge(std::move(rigs));
+}
+
+/// Of the lights that stand somewhere: a position counts by its distance to them.
+std::vector<glm::dvec3> places_of(const std::vector<Light>& lights) {
   std::vector<glm::dvec3> places;
-  for (const std::string& rig : rigs)
-    for (const Light& light : read_rig(rig, options).lights)
-      if (light.type == LightType::point || light.type == LightType::spot) places.push_back(light.position);
+  for (const Light& light : lights)
+    if (light.type == LightType::point || light.type == LightType::spot) places.push_back(light.position);
   return places;
+}
+
+/// As relume shade does it with these rigs.
+Diagnosis diagnosis_with(const ExrFile& file, const ReadingOptions& options, const Rig& rig) {
+  if (!rig.camera) return diagnose(file, options, places_of(rig.lights));
+  return diagnose(file, options, places_of(rig.lights),
+                  [&rig](const ExrFile& f, const ReadingOptions& o) { return understand_with_camera(f, o, rig.camera); });
 }
 
 const char* name_of(Severity severity) { return severity == Severity::defect ? "defect" : "hint"; }
@@ -103,13 +116,17 @@ void write_pictures(const ExrFile& file, const Diagnosis& diagnosis, const std::
 int doctor(const DoctorArguments& a) {
   const ExrFile file(a.file);
   const ReadingOptions options = a.reading.options();
-  const std::vector<glm::dvec3> lights = places_of_lights(file, options, a.rigs);
-  const Diagnosis diagnosis = diagnose(file, options, lights);
+  const Rig rig = rig_of(file, options, a.rigs);
+  const Diagnosis diagnosis = diagnosis_with(file, options, rig);
   if (a.json)
     std::cout << diagnosis_json(file, diagnosis).dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
   else
     print(file, diagnosis);
-  if (!a.png.empty()) write_pictures(file, diagnosis, lights, a);
+  const auto damaged = [](const Finding& f) { return f.ailment == "incomplete"; };
+  if (!a.png.empty() && std::any_of(diagnosis.findings.begin(), diagnosis.findings.end(), damaged))
+    std::cerr << "relume: no pictures of a file whose rows cannot all be decoded\n";
+  else if (!a.png.empty())
+    write_pictures(file, diagnosis, places_of(rig.lights), a);
   return diagnosis.sick() ? 1 : 0;
 }
 

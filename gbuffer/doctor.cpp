@@ -61,7 +61,7 @@ Reading reading_by_names(const ExrFile& file) {
 
 }  // namespace
 
-Diagnosis diagnose(const ExrFile& file, const ReadingOptions& options, const std::vector<glm::dvec3>& lights) {
+Diagnosis diagnose(const ExrFile& file, const ReadingOptions& options, const std::vector<glm::dvec3>& lights, const Understanding& understand) {
   Diagnosis diagnosis;
   try {
     diagnosis.reading = understand(file, options);

@@ -1,6 +1,7 @@
 // What is wrong with a G-buffer: every ailment of gbuffer/ailments/list.h, looked for in one pass over the channels that they need.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,10 @@ struct Diagnosis {
 
 /// `lights`: the places of those lights that have one; half-precision positions are judged by the nearest. Throws Error{input} only for what the
 /// options get wrong.
-Diagnosis diagnose(const ExrFile& file, const ReadingOptions& options, const std::vector<glm::dvec3>& lights);
+/// `understand`: another way to the reading, by a rig's camera, say.
+using Understanding = std::function<Reading(const ExrFile&, const ReadingOptions&)>;
+Diagnosis diagnose(const ExrFile& file, const ReadingOptions& options, const std::vector<glm::dvec3>& lights,
+                   const Understanding& understand = relume::understand);
 
 /// For each pixel of the reading's data window: 0, or 1 + the number of the last finding that the pixel has.
 std::vector<std::uint8_t> mark_findings(const ExrFile& file, const Diagnosis& diagnosis, const std::vector<glm::dvec3>& lights);

@@ -16,7 +16,8 @@ std::vector<Window> bands_of(const Window& data) {
   const int count = std::clamp(wanted, std::min(4, most), most);
   std::vector<Window> bands;
   for (int i = 0; i < count; ++i) {
-    const int top = data.min_y + int((std::int64_t(data.height()) - rows) * (2 * i + 1) / (2 * count));
+    const std::int64_t about = (std::int64_t(data.height()) - rows) * (2 * i + 1) / (2 * count);
+    const int top = data.min_y + int(about - about % rows);  // within one block of the codec: a second would cost as much again
     bands.push_back({data.min_x, top, data.max_x, top + rows});
   }
   return bands;

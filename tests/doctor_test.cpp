@@ -274,11 +274,13 @@ TEST(Doctor, SubsampledChannels) {
   Imf::Header header(4, 4);
   header.channels().insert("N.X", Imf::Channel(Imf::FLOAT, 2, 2));
   std::vector<float> values(16);
-  Imf::OutputFile out((folder / "thin.exr").c_str(), header);
-  Imf::FrameBuffer frame;
-  frame.insert("N.X", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data()), 4, 8, 2, 2));
-  out.setFrameBuffer(frame);
-  out.writePixels(4);
+  {
+    Imf::OutputFile out((folder / "thin.exr").c_str(), header);
+    Imf::FrameBuffer frame;
+    frame.insert("N.X", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data()), 4, 8, 2, 2));
+    out.setFrameBuffer(frame);
+    out.writePixels(4);
+  }
   const Doctored d = doctored(folder / "thin.exr");
   EXPECT_EQ(d.of("thin_channels").size(), 1u) << d.json.dump(1) << d.err;
   EXPECT_EQ(d.code, 1);

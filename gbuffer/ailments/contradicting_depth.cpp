@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "gbuffer/ailments/ailment.h"
-#include "gbuffer/sample_rows.h"
 
 namespace relume {
 namespace {
@@ -40,25 +39,28 @@ struct Sample {
   Distance distance;
 };
 
+/// Of a few rows: each costs the decoding of a block, and the meaning shows in any of them that crosses the scene.
 std::vector<Sample> samples_of(const Patient& patient) {
-  const Reading& reading = patient.reading;
-  const LayerFrame frame(reading);
+  const Window& data = patient.reading.data_window;
+  const LayerFrame frame(patient.reading);
   std::vector<Sample> samples;
-  for (const SampledBand& band : sample_rows(patient.file, reading, {"position", "normal", "depth"})) {
-    for (std::int64_t i = 0; i < band.window.pixels(); i += 7) {  // a prime: no column of the frame is favoured
-      const double depth = band.value("depth", i);
-      const dvec3 place = frame.position_in_world(band.vector("position", i));
-      if (band.vector("normal", i) == dvec3(0) || !(std::abs(depth) < reading.background_depth) || !std::isfinite(place.x + place.y + place.z))
-        continue;
-      samples.push_back({depth, distance_of(*reading.camera, place)});
-    }
+  for (const int eighth : {4, 6, 2, 7, 1, 5, 3}) {
+    constexpr std::size_t enough = 500;
+    if (samples.size() >= enough && eighth < 6) break;
+    const int y = data.min_y + int(std::int64_t(data.height()) * eighth / 8);
+    const Window window{data.min_x, y, data.max_x, y + 1};
+    const Band band(patient.file, patient.reading, {"position", "normal", "depth", "coverage"}, window);
+    const Row row(band, patient.reading, frame, y);
+    const float* const depth = row.stored("depth");
+    for (std::size_t i = 0; i < row.place.size(); ++i)
+      if (row.shown[i] == Shown::surface) samples.push_back({depth[i], distance_of(*patient.reading.camera, row.place[i])});
   }
   return samples;
 }
 
 double share_of(const Meaning& meaning, const std::vector<Sample>& samples) {
   const auto count = std::count_if(samples.begin(), samples.end(), [&](const Sample& s) { return agrees(meaning, s.depth, s.distance); });
-  return samples.empty() ? 0 : double(count) / double(samples.size());
+  return double(count) / double(samples.size());
 }
 
 /// The median of what is missing to z.
@@ -78,7 +80,7 @@ struct Fit {
 Fit best_fit(const std::vector<Sample>& samples) {
   Fit best;
   for (const bool along_ray : {false, true}) {
-    const Meaning plain{along_ray, 0}, clipped{along_ray, samples.empty() ? 0 : near_of(plain, samples)};
+    const Meaning plain{along_ray, 0}, clipped{along_ray, near_of(plain, samples)};
     for (const Meaning& meaning : {plain, clipped})
       if (const double share = share_of(meaning, samples); share > best.share + 0.02) best = {meaning, share};  // the plainer, where equally good
   }
@@ -101,7 +103,9 @@ void examine(const Patient& patient, std::vector<Check>& checks, std::vector<Fin
   const Reading& reading = patient.reading;
   if (!patient.understood || !patient.has("depth") || !patient.has("position") || !patient.has("normal") || !reading.camera) return;
   const std::string layer = patient.layer("depth").layer;
-  const Fit fit = best_fit(samples_of(patient));
+  const std::vector<Sample> samples = samples_of(patient);
+  if (samples.empty()) return;
+  const Fit fit = best_fit(samples);
   if (fit.share < 0.5) {
     findings.push_back(
         {"",

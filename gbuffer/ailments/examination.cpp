@@ -33,6 +33,9 @@ std::string share_in_words(const Tally& tally) { return three_digits(100 * tally
 
 namespace {
 
+/// Pixels decoded in vain before the rest counts as lost without a try: a frame of 1080p without a single whole row takes a third of it.
+constexpr std::int64_t patience = 1 << 26;
+
 void join(std::vector<Tally>& to, const std::vector<Tally>& from) {
   for (std::size_t k = 0; k < to.size(); ++k) to[k].join(from[k]);
 }
@@ -96,6 +99,7 @@ void Examination::look() {
 void Examination::look_at(const Window& window, int margin) {
   const Window& all = patient_.reading.data_window;
   const Window held{window.min_x, std::max(window.min_y - margin, all.min_y), window.max_x, std::min(window.max_y + margin, all.max_y)};
+  if (lost_ >= patience) return unreadable_.add_all(window);
   try {
     const Band band(patient_.file, patient_.reading, {roles_.begin(), roles_.end()}, held);
     join(tallies_, looked_at(band, window));
@@ -108,13 +112,14 @@ void Examination::look_at(const Window& window, int margin) {
 /// Halves a band that cannot be decoded until the rows that cannot are found.
 void Examination::lose(const Window& window, const std::string& fault) {
   fault_ = fault;
-  if (window.height() > 1) {
+  lost_ += window.pixels();
+  if (window.height() > 1 && lost_ < patience) {
     const int middle = window.min_y + window.height() / 2;
     look_at({window.min_x, window.min_y, window.max_x, middle}, 0);
     look_at({window.min_x, middle, window.max_x, window.max_y}, 0);
     return;
   }
-  for (int x = window.min_x; x < window.max_x; ++x) unreadable_.add(x, window.min_y);
+  unreadable_.add_all(window);
 }
 
 Examination::Tallies Examination::looked_at(const Band& band, const Window& window) const {
@@ -137,7 +142,8 @@ Examination::Tallies Examination::looked_at(const Band& band, const Window& wind
 void Examination::conclude_unreadable() {
   if (unreadable_.pixels == 0) return;
   const std::int64_t rows = unreadable_.pixels / unreadable_.box.width();
-  findings_.push_back({"incomplete", Severity::defect, "", unreadable_, std::to_string(rows) + " rows cannot be decoded: " + fault_,
+  findings_.push_back({"incomplete", Severity::defect, "", unreadable_,
+                       (lost_ < patience ? "" : "up to ") + std::to_string(rows) + " rows cannot be decoded: " + fault_,
                        "relume shade refuses the file; other programs show black or garbage there",
                        "render or copy the file again; --crop X0,Y0,X1,Y1 leaves the rows out"});
 }

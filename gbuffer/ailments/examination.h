@@ -41,7 +41,8 @@ class Examination {
   Tallies tallies_;
   std::set<std::string> roles_{"normal", "position", "depth", "coverage", "ids"};
   Tally unreadable_;
-  std::string fault_;  ///< why
+  std::int64_t lost_ = 0;  ///< pixels of the bands that were tried in vain
+  std::string fault_;      ///< why
   std::vector<Finding> findings_;
 };
 

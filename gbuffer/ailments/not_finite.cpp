@@ -8,27 +8,25 @@ namespace {
 
 enum Kind { nan, positive, negative, kinds };
 
-bool finite(const Row& row, const std::vector<const float*>& components, std::size_t i) {
+bool finite(const std::vector<const float*>& components, std::size_t i) {
   for (const float* const c : components)
     if (!std::isfinite(c[i])) return false;
-  (void)row;
   return true;
 }
 
-/// Background may hold anything: pixels that coverage, depth or a zero normal call empty do not count.
+/// Background may hold anything: pixels that coverage, depth (beside a normal that is one) or a zero normal or position call empty do not count.
 class Background {
  public:
   Background(const Row& row, const std::string& role)
       : coverage_(role == "coverage" ? nullptr : row.stored("coverage")),
         depth_(role == "depth" ? nullptr : row.stored("depth")),
-        farthest_(float(row.reading.background_depth)) {
-    if (role != "normal") normal_ = row.components("normal");
-    if (role != "position") position_ = row.components("position");
-  }
+        farthest_(float(row.reading.background_depth)),
+        normal_(row.components("normal")),
+        position_(row.components("position")) {}
 
   bool at(std::size_t i) const {
     if (coverage_ && coverage_[i] <= 0) return true;
-    if (depth_ && std::abs(depth_[i]) >= farthest_) return true;
+    if (depth_ && std::abs(depth_[i]) >= farthest_ && (normal_.empty() || finite(normal_, i))) return true;
     return zero(normal_, i) || zero(position_, i);
   }
 
@@ -36,8 +34,8 @@ class Background {
   static bool zero(const std::vector<const float*>& v, std::size_t i) { return v.size() == 3 && v[0][i] == 0 && v[1][i] == 0 && v[2][i] == 0; }
 
   const float *coverage_, *depth_;
-  float farthest_;
-  std::vector<const float*> normal_, position_;
+  const float farthest_;
+  const std::vector<const float*> normal_, position_;
 };
 
 /// A pixel counts once a layer: as NaN, else by the sign of its infinity.
@@ -45,12 +43,12 @@ void look(const Row& row, const std::string& role, std::span<Tally> tallies) {
   const auto components = row.components(role);
   const Background background(row, role);
   for (std::size_t i = 0; i < std::size_t(row.width); ++i) {
-    if (finite(row, components, i) || background.at(i)) continue;
+    if (finite(components, i) || background.at(i)) continue;
     Kind kind = kinds;
     for (const float* const c : components)
       if (!std::isfinite(c[i])) kind = std::min(kind, std::isnan(c[i]) ? nan : c[i] > 0 ? positive : negative);
     // A depth that is infinite means that nothing is there, unless the coverage says otherwise.
-    if (role == "depth" && kind != nan && !row.stored("coverage")) continue;
+    if (role == "depth" && kind != nan && !row.stored("coverage") && finite(row.components("normal"), i)) continue;
     tallies[kind].add(row.min_x + int(i), row.y);
   }
 }

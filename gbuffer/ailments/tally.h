@@ -27,6 +27,13 @@ struct Tally {
     if (marks) marks[std::int64_t(py - marked.min_y) * marked.width() + px - marked.min_x] = mark;
   }
 
+  /// Every pixel of a window, the first as the example.
+  void add_all(const Window& window) {
+    grow(window);
+    offer(window.min_x, window.min_y, 0);
+    pixels += window.pixels();
+  }
+
   void measure(double value) {
     least = std::min(least, value);
     greatest = std::max(greatest, value);
