@@ -224,7 +224,7 @@ void ExrFile::read(int index, const Window& window, std::span<const Destination>
   const Part& part = state_->parts[std::size_t(index)];
   check_request(state_->place(index), part, window, destinations);
 
-  // A frame buffer holds a channel once; a channel wanted in two places is decoded twice.
+  // A frame buffer holds a channel once; a channel wanted in two places is copied, or, as another type, decoded again.
   std::vector<Destination> once, again;
   std::set<std::string> seen;
   for (const Destination& to : destinations) (seen.insert(to.channel).second ? once : again).push_back(to);
@@ -239,7 +239,15 @@ void ExrFile::read(int index, const Window& window, std::span<const Destination>
       whole_rows ? decode_rows(input, window, once) : decode_columns(input, part.data_window, window, once);
     });
   }
-  read(index, window, again);
+  std::vector<Destination> of_other_types;
+  for (const Destination& to : again) {
+    const auto first = std::find_if(once.begin(), once.end(), [&](const Destination& d) { return d.channel == to.channel; });
+    if (first->type == to.type)
+      copy_columns(*first, window, to, window);
+    else
+      of_other_types.push_back(to);
+  }
+  read(index, window, of_other_types);
 }
 
 std::optional<std::string> text_attribute(const Imf::Header& header, const std::string& name) {

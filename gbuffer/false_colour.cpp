@@ -80,7 +80,7 @@ Style direction(const Reading& reading) {
             if (n == glm::dvec3(0)) return nothing;
             return {code(0.5 + 0.5 * n.x), code(0.5 + 0.5 * n.y), code(0.5 + 0.5 * n.z)};
           },
-          "-1 dark to 1 bright in x y z"};
+          "rgb = xyz"};
 }
 
 /// Each axis rises and falls: red, green and blue bands run across x, y and z.
@@ -97,7 +97,7 @@ Style place(const std::vector<SampledBand>& bands, const std::string& role) {
             for (std::size_t c = 0; c < 3; ++c) colour[c] = code(0.15 + 0.85 * std::abs(2 * (v[c][i] / step - std::floor(v[c][i] / step)) - 1));
             return colour;
           },
-          "bands of " + three_digits(step) + " units, red x, green y, blue z"};
+          "bands of " + three_digits(step) + ", rgb = xyz"};
 }
 
 Style distance(const std::vector<SampledBand>& bands, const std::string& role, double farthest) {
@@ -108,7 +108,7 @@ Style distance(const std::vector<SampledBand>& bands, const std::string& role, d
             if (depth == 0 || depth >= farthest) return nothing;
             return viridis(1 - std::log(depth / low) / std::log(high / low));
           },
-          three_digits(low) + " bright to " + three_digits(high) + " dark, logarithmic"};
+          three_digits(high) + " dark .. " + three_digits(low) + ", log"};
 }
 
 Style number(const std::vector<SampledBand>& bands, const std::string& role) {
@@ -116,7 +116,7 @@ Style number(const std::vector<SampledBand>& bands, const std::string& role) {
   if (range.low >= 0 && range.high <= 1) range = {0, 1};
   if (!(range.high > range.low)) range.high = range.low + 1;
   return {[range](const Components& v, std::size_t i) { return viridis((v[0][i] - range.low) / (range.high - range.low)); },
-          three_digits(range.low) + " dark to " + three_digits(range.high) + " bright"};
+          three_digits(range.low) + " dark .. " + three_digits(range.high)};
 }
 
 Style ids(SampleType type) {
@@ -136,7 +136,10 @@ Style colour() {
 }
 
 Style coordinates() {
-  return {[](const Components& v, std::size_t i) { return Colour{code(v[0][i]), 60, code(v[1][i])}; }, "red u, blue v"};
+  return {[](const Components& v, std::size_t i) {
+            return v[0][i] == 0 && v[1][i] == 0 ? nothing : Colour{code(v[0][i]), 60, code(v[1][i])};
+          },
+          "red u, blue v"};
 }
 
 Style style_of(const Reading& reading, const std::vector<SampledBand>& bands, const std::string& role) {
@@ -203,7 +206,7 @@ std::vector<View> false_colour_views(const ExrFile& file, const Reading& reading
 }
 
 View marked_view(const View& under, const Window& data, const std::vector<std::uint8_t>& marks, const std::vector<bool>& defect) {
-  View view{"findings", "findings: defects vermillion, hints sky blue", under.picture};
+  View view{"findings", "findings: defects orange, hints blue", under.picture};
   const int step = view_step(data);
   for (int y = 0; y < under.picture.height; ++y)
     for (int x = 0; x < under.picture.width; ++x) {

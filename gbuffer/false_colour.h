@@ -14,7 +14,7 @@ namespace relume {
 /// One layer of a file, every `step`-th pixel of the data window.
 struct View {
   std::string name;   ///< plain letters, for a file's name: "normal"
-  std::string label;  ///< "depth (Z): 3.2 dark to 8.1 bright, logarithmic"
+  std::string label;  ///< "depth: Z, 8.1 dark .. 3.2, log"
   CodedPicture picture;
 };
 

@@ -63,7 +63,7 @@ void write_text(OIIO::ImageBuf& sheet, int x, int y, const std::string& text, in
 
 /// Whatever is longer than its tile is cut, so that labels do not run into each other.
 std::string fitting(const std::string& label, int width, int size) {
-  const std::size_t most = std::size_t(width) * 100 / std::size_t(size * 55);  // letters are about 0.55 of their size wide
+  const std::size_t most = std::size_t(width) * 100 / std::size_t(size * 52);  // letters are about half their size wide
   return label.size() <= most ? label : label.substr(0, most > 3 ? most - 3 : 0) + "...";
 }
 

@@ -18,10 +18,8 @@ constexpr std::size_t most_lights = 64;
 /// Half the step from one number to the next, of a format with this many bits after the leading one.
 double rounding(double value, int bits) { return value == 0 || !std::isfinite(value) ? 0 : std::ldexp(0.5, std::ilogb(value) - bits); }
 
-double rounding_at(const Row& row, std::size_t i, int bits) {
-  dvec3 error;
-  for (int c = 0; c < 3; ++c) error[c] = rounding(row.stored("position", c)[i], bits);
-  return glm::length(error);
+double rounding_at(const std::vector<const float*>& position, std::size_t i, int bits) {
+  return glm::length(dvec3(rounding(position[0][i], bits), rounding(position[1][i], bits), rounding(position[2][i], bits)));
 }
 
 double nearest(const std::vector<dvec3>& lights, const dvec3& place) {
@@ -34,11 +32,12 @@ enum Measure { rounded, x_range, y_range, z_range, measures };
 
 void look(const Row& row, const std::vector<dvec3>& lights, int bits, std::span<Tally> tallies) {
   const bool turn = lights.size() <= most_lights || row.y % int(lights.size() / most_lights + 1) == 0;
+  const auto position = row.components("position");
   for (std::size_t i = 0; i < row.place.size(); ++i) {
     if (row.shown[i] != Shown::surface) continue;
     for (int c = 0; c < 3; ++c) tallies[x_range + c].measure(row.place[i][c]);
-    if (lights.empty() ? false : !turn) continue;
-    const double error = rounding_at(row, i, bits);
+    if (!turn) continue;
+    const double error = rounding_at(position, i, bits);
     tallies[rounded].measure(error);
     ++tallies[rounded].judged;
     if (lights.empty()) continue;
