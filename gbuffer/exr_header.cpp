@@ -119,6 +119,8 @@ void HeaderReader::check(const RawAttribute& attribute) {
   const auto known = known_types().find(attribute.name);
   if (known != known_types().end() && attribute.type != known->second)
     refuse(shown(attribute) + " has type \"" + printable(attribute.type) + "\" (must be " + known->second + ")");
+  // The library reads a channel list to its own end, whatever size it declares; exr_guard.cpp checks that of the one that is needed.
+  if (attribute.type == "chlist" && attribute.name != "channels") refuse(shown(attribute) + " is a channel list (only \"channels\" may be)");
   const auto fixed = fixed_sizes().find(attribute.type);
   if (fixed != fixed_sizes().end() && attribute.size != fixed->second)
     refuse(shown(attribute) + " has " + number(attribute.size) + " bytes (" + fixed->first + " has " + number(fixed->second) + ")");

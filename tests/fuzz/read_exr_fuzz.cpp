@@ -1,0 +1,103 @@
+// libFuzzer's target: bytes as an OpenEXR file, through header scan, decoding, conventions and the making of a G-buffer.
+#include <ImfThreading.h>
+#include <sys/mman.h>
+#include <tbb/global_control.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "gbuffer/error.h"
+#include "gbuffer/gbuffer.h"
+
+namespace {
+
+using namespace relume;
+
+// Small enough that an execution takes milliseconds; the limits themselves are what refuses the rest.
+constexpr ReadLimits limits{.max_decoded_bytes = 1 << 20, .max_side = 4096, .max_parts = 16, .max_channels = 64};
+constexpr int band_rows = 32;  // several bands of a file that is taller
+
+/// A file in memory with a path, since that is what ExrFile opens.
+class FileInMemory {
+ public:
+  FileInMemory() : descriptor_(memfd_create("fuzz", MFD_CLOEXEC)), path_("/proc/self/fd/" + std::to_string(descriptor_)) {}
+  const std::string& with(const std::uint8_t* data, std::size_t size) const {
+    if (ftruncate(descriptor_, 0) != 0 || pwrite(descriptor_, data, size, 0) != ssize_t(size)) std::abort();
+    return path_;
+  }
+
+ private:
+  int descriptor_;
+  std::string path_;
+};
+
+[[noreturn]] void defect(const char* what, const std::string& message) {
+  std::fprintf(stderr, "%s: %s\n", what, message.c_str());
+  std::abort();
+}
+
+/// What a refusal must be: input's or memory's fault, one printable line, the file first.
+void check_refusal(const Error& error, const std::string& path) {
+  const std::string line = error.what();
+  if (error.kind != ErrorKind::input && error.kind != ErrorKind::memory) defect("not the file's fault", line);
+  if (!line.starts_with(path + ": ")) defect("does not name the file first", line);
+  for (const char c : line)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) defect("not one printable line", line);
+}
+
+template <class Work>
+void refusing(const std::string& path, const Work& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    check_refusal(error, path);
+  }
+}
+
+/// Every channel of full resolution, band by band, as a number and as it is stored.
+void decode(const ExrFile& file) {
+  for (const Part& part : file.parts()) {
+    const Window& all = part.data_window;
+    for (int y = all.min_y; y < all.max_y; y += band_rows) {
+      const Window band{all.min_x, y, all.max_x, std::min(y + band_rows, all.max_y)};
+      std::vector<float> samples(std::size_t(band.pixels()) * part.channels.size());
+      std::vector<Destination> to;
+      for (const Channel& channel : part.channels)
+        to.push_back({channel.name, SampleType::float32, samples.data() + to.size() * std::size_t(band.pixels()), sizeof(float),
+                      std::size_t(band.width()) * sizeof(float)});
+      file.read(part.index, band, to);
+    }
+  }
+}
+
+/// As `shade` does: the reading, then bands with every role that was found.
+void read_as(const ExrFile& file, const ReadingOptions& options) {
+  const Reading reading = understand(file, options);
+  std::vector<std::string> roles;
+  for (const auto& [role, layer] : reading.roles)
+    if (role != "position" && role != "normal" && role != "base_normal" && role != "depth" && role != "tangent") roles.push_back(role);
+  const Window& all = reading.data_window;
+  for (int y = all.min_y; y < all.max_y; y += band_rows)
+    read_gbuffer(file, reading, {all.min_x, y, all.max_x, std::min(y + band_rows, all.max_y)}, roles, 0);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const FileInMemory memory;
+  static const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);  // a crash must come again from the same bytes
+  const std::string& path = memory.with(data, size);
+  refusing(path, [&] {
+    const ExrFile file(path, limits);
+    Imf::setGlobalThreadCount(0);
+    refusing(path, [&] { decode(file); });
+    refusing(path, [&] { read_as(file, {}); });
+    ReadingOptions told;
+    told.recover_camera = true;
+    told.normal_encoding = NormalEncoding::as_unsigned;
+    refusing(path, [&] { read_as(file, told); });
+  });
+  return 0;
+}
