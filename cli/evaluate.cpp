@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "cli/commands.h"
+#include "gbuffer/watched.h"
 #include "host/evaluate.h"
 
 namespace relume {
@@ -15,6 +16,7 @@ struct EvaluateArguments {
 };
 
 int evaluate(const EvaluateArguments& a) {
+  watched().input_used = true;
   const std::string table{std::istreambuf_iterator<char>(std::cin), {}};
   std::cout << evaluate_table(a.brdf, a.set, a.device, table);
   return std::cout.flush() ? 0 : 5;

@@ -1,14 +1,15 @@
 // relume: arguments to a subcommand, failures to one line on stderr and a documented exit code.
 #include <unistd.h>
 #include <csignal>
-#include <cstdlib>
 #include <iostream>
 #include <new>
-#include <string_view>
+#include <string>
 
 #include "cli/commands.h"
+#include "cli/supervised.h"
 #include "gbuffer/error.h"
 #include "gbuffer/printable.h"
+#include "gbuffer/watched.h"
 #include "gbuffer/whole_file.h"
 
 namespace {
@@ -16,24 +17,14 @@ namespace {
 /// An interrupt at any moment leaves nothing half-written: outputs are temporaries until they are whole.
 extern "C" void interrupted(int signal) {
   relume::remove_temporaries();
+  relume::watched().finish(128 + signal);
   _exit(128 + signal);
 }
 
-/// OpenCL drivers abort or fault the process on a damaged cache, a full disk or a defect of theirs. Nothing may be left behind then either.
-extern "C" void crashed(int) {
-  relume::remove_temporaries();
-  constexpr std::string_view line = "relume: crashed, most likely in the OpenCL driver; nothing was written (--device twin needs no driver)\n";
-  if (write(STDERR_FILENO, line.data(), line.size()) < 0) _exit(int(relume::ErrorKind::internal));
-  _exit(int(relume::ErrorKind::internal));
-}
-
 void catch_signals() {
-  std::signal(SIGINT, interrupted);
-  std::signal(SIGTERM, interrupted);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    if (std::signal(signal, interrupted) == SIG_IGN && signal == SIGHUP) std::signal(signal, SIG_IGN);  // nohup
   std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is an error of write(), with a sentence
-#ifndef __SANITIZE_ADDRESS__      // whose own report says more
-  for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL}) std::signal(signal, crashed);
-#endif
 }
 
 int complain(const std::string& message, int code) {
@@ -74,10 +65,8 @@ int run(int argc, char** argv) {
   return action();
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  catch_signals();
+/// Every failure in one line.
+int run_or_complain(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const relume::Error& error) {
@@ -87,4 +76,11 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     return complain(std::string("a defect of ours: ") + error.what(), int(relume::ErrorKind::internal));
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  catch_signals();
+  return relume::supervised([&] { return run_or_complain(argc, argv); });
 }

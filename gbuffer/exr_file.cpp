@@ -19,10 +19,12 @@
 #include <set>
 #include <thread>
 
+#include "gbuffer/allowance.h"
 #include "gbuffer/error.h"
 #include "gbuffer/exr_guard.h"
 #include "gbuffer/input_stream.h"
 #include "gbuffer/printable.h"
+#include "gbuffer/watched.h"
 
 namespace relume {
 namespace {
@@ -59,9 +61,22 @@ std::string cause(const char* message) {
   return printable(end ? end + 3 : message);
 }
 
-/// Runs library code; what it throws becomes one line that begins with `place`.
+constexpr std::int64_t some = 256 << 20;  // bytes: for OpenEXR's blocks in flight, and for what it needs beside them
+
+/// As many threads as have work within that; each keeps two blocks.
+int decoding_threads(std::int64_t block_bytes) { return int(std::min<std::int64_t>(Imf::globalThreadCount(), some / (2 * block_bytes))); }
+
+/// What decoding may take: each block, its packed form, and the planes that DWA makes of it, two or three times its size.
+std::int64_t decoding_bytes(std::int64_t block_bytes) {
+  constexpr std::int64_t copies = 6;
+  return some + copies * block_bytes * std::max(1, 2 * decoding_threads(block_bytes));
+}
+
+/// Runs library code, watched and within so many bytes; what it throws becomes one line that begins with `place`.
 template <class Work>
-void in_library(const std::string& place, const Work& work) {
+void in_library(const std::string& place, Foreign code, const std::string& file, std::int64_t bytes, const Work& work) {
+  const InForeignCode watched(code, file);
+  const Allowance allowance(bytes);
   try {
     work();
   } catch (const Error&) {
@@ -69,7 +84,9 @@ void in_library(const std::string& place, const Work& work) {
   } catch (const std::bad_alloc&) {
     throw Error(ErrorKind::memory, place + ": not enough memory to decode it");
   } catch (const std::exception& fault) {
-    if (std::strstr(fault.what(), "Failed to allocate")) throw Error(ErrorKind::memory, place + ": not enough memory to decode it");
+    // Its threads hand on only the text of what they caught.
+    const bool memory = std::strstr(fault.what(), "Failed to allocate") || std::strstr(fault.what(), "bad_alloc");
+    if (memory) throw Error(ErrorKind::memory, place + ": not enough memory to decode it");
     throw Error(ErrorKind::input, place + ": " + cause(fault.what()));
   }
 }
@@ -174,20 +191,22 @@ struct ExrFile::State {
   std::unique_ptr<Imf::MultiPartInputFile> file;
   std::vector<Part> parts;
   std::vector<std::string> views;
-  std::mutex mutex;  ///< OpenEXR keeps one frame buffer a part: setting it and reading belong together
+  std::int64_t block_bytes = 0;  ///< of the largest block of rows or tile
+  std::mutex mutex;              ///< OpenEXR keeps one frame buffer a part: setting it and reading belong together
 };
 
 ExrFile::ExrFile(const std::filesystem::path& file, const ReadLimits& limits) : state_(std::make_unique<State>(file)) {
   State& state = *state_;
-  in_library(state.stream.name(), [&] {
-    check_headers(state.stream, limits);
+  state.block_bytes = check_headers(state.stream, limits);
+  constexpr std::int64_t header_bytes = 2 * some;  // attributes of 64 MB at most, chunk tables, and our copy of them
+  in_library(state.stream.name(), Foreign::header, state.stream.name(), header_bytes, [&] {
     static std::once_flag threads;
     std::call_once(threads, [] { Imf::setGlobalThreadCount(int(std::thread::hardware_concurrency())); });  // OpenEXR's own default is none
     // No reconstruction of a missing chunk table: it scans the whole file by lengths that the file claims, and a file without a table
     // was never finished, so its pixels are not to be trusted.
     constexpr bool reconstruct = false;
     state.stream.seekg(0);
-    state.file = std::make_unique<Imf::MultiPartInputFile>(state.stream, Imf::globalThreadCount(), reconstruct);
+    state.file = std::make_unique<Imf::MultiPartInputFile>(state.stream, decoding_threads(state.block_bytes), reconstruct);
     for (int i = 0; i < state.file->parts(); ++i) state.parts.push_back(describe(i, state.file->header(i)));
     if (const auto* const names = find_value<Imf::StringVector>(state.file->header(0), "multiView")) state.views = *names;
   });
@@ -234,7 +253,7 @@ void ExrFile::read(int index, const Window& window, std::span<const Destination>
     const std::lock_guard lock(state_->mutex);
     const bool whole_rows = window.min_x == part.data_window.min_x && window.max_x == part.data_window.max_x;
     const char* const what = state_->file->partComplete(index) ? ": damaged pixel data" : ": incomplete pixel data (writing it was never finished)";
-    in_library(state_->place(index) + what, [&] {
+    in_library(state_->place(index) + what, Foreign::pixels, state_->place(index), decoding_bytes(state_->block_bytes), [&] {
       Imf::InputPart input(*state_->file, index);
       whole_rows ? decode_rows(input, window, once) : decode_columns(input, part.data_window, window, once);
     });

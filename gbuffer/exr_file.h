@@ -39,6 +39,7 @@ struct Part {
 struct ReadLimits {
   std::int64_t max_decoded_bytes = std::int64_t(64) << 30;  ///< all channels of the largest part
   int max_side = 1 << 20;                                   ///< width or height, pixels
+  std::int64_t max_block_bytes = std::int64_t(512) << 20;   ///< a block of rows or a tile, which is decoded in one piece
   int max_parts = 256;
   int max_channels = 1024;  ///< in one part
 };

@@ -15,9 +15,8 @@ namespace {
 
 constexpr std::uint32_t magic = 20000630;
 constexpr std::uint32_t flag_tiled = 0x200, flag_long_names = 0x400, flag_deep = 0x800, flag_parts = 0x1000;
-constexpr std::int64_t farthest = 1 << 29;               // window corners: sums and differences of two stay within int
-constexpr std::int64_t largest_block = (1LL << 31) - 1;  // OpenEXR's decoders count a block's bytes in int (CVE-2026-34588)
-constexpr std::int64_t largest_tile = 4096;              // a side
+constexpr std::int64_t farthest = 1 << 29;   // window corners: sums and differences of two stay within int
+constexpr std::int64_t largest_tile = 4096;  // a side
 
 std::string number(std::int64_t value) { return std::to_string(value); }
 
@@ -37,7 +36,7 @@ struct PartScan {
 class Guard {
  public:
   Guard(InputStream& file, const ReadLimits& limits) : file_(file), read_(file), limits_(limits) {}
-  void run();
+  std::int64_t run();
 
  private:
   void check_version();
@@ -47,6 +46,7 @@ class Guard {
   void check_codes(PartScan& part);
   std::int64_t chunks(const PartScan& part);
   std::int64_t tiles(const PartScan& part);
+  void note_block(const PartScan& part, std::int64_t pixels, const char* what);
   Box box(const RawAttribute& attribute);
   const RawAttribute& required(const PartScan& part, const char* name);
 
@@ -54,9 +54,10 @@ class Guard {
   HeaderReader read_;
   const ReadLimits& limits_;
   bool tiled_ = false, multi_part_ = false;  ///< the flags
+  std::int64_t block_bytes_ = 0;             ///< the largest
 };
 
-void Guard::run() {
+std::int64_t Guard::run() {
   check_version();
   read_.seek(8);
   std::int64_t table = 0;
@@ -78,6 +79,7 @@ void Guard::run() {
   // Each chunk has 8 bytes in the table after the headers, and the library allocates the table first.
   const std::int64_t left = std::int64_t(file_.size() - read_.position());
   if (table > left / 8) read_.refuse(number(table) + " chunks need a table of 8 bytes each, " + number(left) + " bytes are left in the file");
+  return block_bytes_;
 }
 
 void Guard::check_version() {
@@ -169,8 +171,7 @@ std::int64_t Guard::chunks(const PartScan& part) {
   if (tiled || part.attributes.contains("tiles")) count = tiles(part);
   if (!tiled) {
     const std::int64_t rows = block_rows[std::size_t(part.compression)];
-    if (part.data.width() * rows > largest_block / part.pixel_bytes)
-      read_.refuse("a block of rows decodes to more than " + number(largest_block) + " bytes");
+    note_block(part, part.data.width() * rows, "a block of rows");
     count = (part.data.height() + rows - 1) / rows;
   }
   const auto declared = part.attributes.find("chunkCount");
@@ -179,13 +180,23 @@ std::int64_t Guard::chunks(const PartScan& part) {
   return count;
 }
 
+void Guard::note_block(const PartScan& part, std::int64_t pixels, const char* what) {
+  constexpr std::int64_t counted = (1LL << 31) - 1;  // OpenEXR's decoders count a block's bytes in int (CVE-2026-34588)
+  const std::int64_t most = std::min(limits_.max_block_bytes, counted);
+  if (pixels > most / part.pixel_bytes)
+    read_.refuse(std::string(what) + " decodes to " + number(pixels * part.pixel_bytes) + " bytes (at most " + number(most) +
+                     ": ReadLimits::max_block_bytes; codecs with blocks of fewer rows need less: zip, zips)",
+                 ErrorKind::memory);
+  block_bytes_ = std::max(block_bytes_, pixels * part.pixel_bytes);
+}
+
 /// How many tiles all levels have.
 std::int64_t Guard::tiles(const PartScan& part) {
   const RawAttribute& description = required(part, "tiles");
   const std::int64_t width = read_.word(description.position), height = read_.word(description.position + 4);
   if (std::min(width, height) < 1 || std::max(width, height) > largest_tile)
     read_.refuse("tiles of " + number(width) + " x " + number(height) + " pixels (a side 1 to " + number(largest_tile) + ")");
-  if (width * height > largest_block / part.pixel_bytes) read_.refuse("a tile decodes to more than " + number(largest_block) + " bytes");
+  note_block(part, width * height, "a tile");
   enum { one_level, mip_levels, rip_levels };
   const int mode = read_.byte(description.position + 8), levels = mode & 0xf, rounding = mode >> 4;
   if (levels > rip_levels || rounding > 1) read_.refuse("tile levels " + number(mode) + " are not known");
@@ -208,6 +219,6 @@ std::int64_t Guard::tiles(const PartScan& part) {
 
 }  // namespace
 
-void check_headers(InputStream& file, const ReadLimits& limits) { Guard(file, limits).run(); }
+std::int64_t check_headers(InputStream& file, const ReadLimits& limits) { return Guard(file, limits).run(); }
 
 }  // namespace relume

@@ -7,7 +7,8 @@
 
 namespace relume {
 
-/// Throws Error{input}, or Error{memory} where only `max_decoded_bytes` stands against the file.
-void check_headers(InputStream& file, const ReadLimits& limits);
+/// Bytes of the largest block of rows, or tile, that is decoded at once. Throws Error{input}, or Error{memory} where only `max_decoded_bytes` stands
+/// against the file.
+std::int64_t check_headers(InputStream& file, const ReadLimits& limits);
 
 }  // namespace relume

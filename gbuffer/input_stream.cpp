@@ -12,6 +12,7 @@
 
 #include "gbuffer/error.h"
 #include "gbuffer/printable.h"
+#include "gbuffer/watched.h"
 
 namespace relume {
 namespace {
@@ -48,6 +49,7 @@ bool InputStream::read_through(std::uint64_t position, char* data, std::size_t b
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) throw Error(ErrorKind::input, name_ + ": " + reason(errno));
     if (got == 0) return false;
+    beat();
     data += got;
     position += std::uint64_t(got);
     bytes -= std::size_t(got);

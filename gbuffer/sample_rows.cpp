@@ -9,16 +9,17 @@ namespace {
 
 std::vector<Window> bands_of(const Window& data) {
   constexpr std::int64_t budget = 1 << 17;  // pixels; a hundredth of a second to decode and judge
-  constexpr int rows = 8;                   // neighbours above and below, and half of a zip block
   if (data.pixels() <= budget) return {data};
-  if (data.height() <= rows) return {data};
-  const int most = std::max(1, data.height() / rows), wanted = int(std::min<std::int64_t>(budget / rows / data.width(), most));
+  const int rows = std::min(8, data.height());                                   // neighbours above and below, and half of a zip block
+  const int columns = int(std::min<std::int64_t>(budget / rows, data.width()));  // a frame a million wide has rows too long to hold
+  const int most = data.height() / rows * (data.width() / columns), wanted = int(std::min<std::int64_t>(budget / rows / columns, most));
   const int count = std::clamp(wanted, std::min(4, most), most);
   std::vector<Window> bands;
   for (int i = 0; i < count; ++i) {
     const std::int64_t about = (std::int64_t(data.height()) - rows) * (2 * i + 1) / (2 * count);
     const int top = data.min_y + int(about - about % rows);  // within one block of the codec: a second would cost as much again
-    bands.push_back({data.min_x, top, data.max_x, top + rows});
+    const int left = data.min_x + int((std::int64_t(data.width()) - columns) * (2 * i + 1) / (2 * count));
+    bands.push_back({left, top, left + columns, top + rows});
   }
   return bands;
 }

@@ -1,12 +1,14 @@
 // Slots go free -> filling -> noted -> free; a handler that interrupts at any point sees only whole paths.
 #include "gbuffer/temporaries.h"
 
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <array>
 #include <atomic>
 #include <climits>
 #include <cstring>
+#include <new>
 
 #include "gbuffer/whole_file.h"
 
@@ -21,7 +23,16 @@ struct Slot {
 };
 static_assert(std::atomic<int>::is_always_lock_free, "a lock in a signal handler can wait for the thread it interrupted");
 
-std::array<Slot, 64> slots;  // more files than one process writes at a time
+using Slots = std::array<Slot, 64>;  // more files than one process writes at a time
+
+/// Made before main(), so that a fork shares it; a process of its own needs no sharing.
+Slots& shared_slots() {
+  static Slots own;
+  void* const memory = mmap(nullptr, sizeof(Slots), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  return memory == MAP_FAILED ? own : *new (memory) Slots;
+}
+
+Slots& slots = shared_slots();
 
 }  // namespace
 
@@ -42,8 +53,11 @@ void forget_temporary(int slot) noexcept {
 }
 
 void remove_temporaries() noexcept {
-  for (const Slot& slot : slots)
-    if (slot.state.load() == slot_noted) unlink(slot.path);
+  for (Slot& slot : slots) {
+    if (slot.state.load() != slot_noted) continue;
+    unlink(slot.path);
+    slot.state.store(slot_free);
+  }
 }
 
 }  // namespace relume

@@ -1,4 +1,5 @@
-// The list of temporaries now being written, for a signal handler to remove: a fixed table without locks or allocation.
+// The list of temporaries now being written, for a signal handler to remove: a fixed table without locks or allocation,
+// in memory that a forked child shares, so that its parent can remove what a crash left.
 #pragma once
 
 #include <filesystem>

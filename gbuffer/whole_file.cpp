@@ -15,6 +15,7 @@
 #include "gbuffer/error.h"
 #include "gbuffer/printable.h"
 #include "gbuffer/temporaries.h"
+#include "gbuffer/watched.h"
 
 namespace relume {
 namespace fs = std::filesystem;
@@ -110,6 +111,7 @@ void WholeFile::flush() {
     const ssize_t written = ::write(descriptor_, data, bytes);
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) fail(errno);
+    beat();
     data += written;
     bytes -= std::size_t(written);
     position_ += std::uint64_t(written);

@@ -4,10 +4,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdlib>
+#include <cstring>
 #include <mutex>
 #include <optional>
 #include <string>
+
+#include "gbuffer/watched.h"
 
 namespace relume {
 namespace {
@@ -50,6 +54,7 @@ const fs::path& cache_folder() {
     if (const auto found = user_cache()) return *found;
     std::string name = (fs::temp_directory_path() / "relume-XXXXXX").string();
     if (const char* made = mkdtemp(name.data())) temporary.path = made;
+    if (temporary.path.native().size() < sizeof watched().folder) std::strcpy(watched().folder, temporary.path.c_str());
     return temporary.path;
   }();
   return folder;
@@ -73,7 +78,17 @@ void describe_machine() {
   setenv("HWLOC_SYNTHETIC", machine.c_str(), 0);
 }
 
+std::atomic<bool> distrusted{false};
+
 }  // namespace
+
+void forget_compiled_programs() {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(cache_folder(), ignored)) fs::remove_all(entry.path(), ignored);
+}
+
+void distrust_drivers() { distrusted = true; }
+bool drivers_are_distrusted() { return distrusted; }
 
 void prepare_driver_environment() {
   static std::once_flag once;

@@ -14,4 +14,12 @@ const std::filesystem::path& cache_folder();
 /// Must run before the first OpenCL call.
 void prepare_driver_environment();
 
+/// After a driver has taken the process down. Its own compiled programs may have been what it stumbled over (PoCL maps them without a look at their
+/// size): a folder of ours is emptied; one that POCL_CACHE_DIR names is somebody else's.
+void forget_compiled_programs();
+
+/// From now on no driver is loaded: whoever asks for devices gets an Error{device} that says why.
+void distrust_drivers();
+bool drivers_are_distrusted();
+
 }  // namespace relume

@@ -12,6 +12,7 @@
 #include <unordered_set>
 
 #include "gbuffer/error.h"
+#include "gbuffer/watched.h"
 
 namespace relume {
 namespace {
@@ -150,7 +151,10 @@ const Json* Json::find(std::string_view key) const {
 std::string shown(const std::filesystem::path& file) { return file == "-" ? "standard input" : file.string(); }
 
 std::string read_text(const std::filesystem::path& file) {
-  if (file == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
+  if (file == "-") {
+    watched().input_used = true;
+    return {std::istreambuf_iterator<char>(std::cin), {}};
+  }
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) throw Error(ErrorKind::input, file.string() + ": is a directory");
   std::ifstream stream(file, std::ios::binary);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "gbuffer/error.h"
+#include "gbuffer/watched.h"
 #include "host/driver_environment.h"
 
 namespace relume {
@@ -59,6 +60,9 @@ void rethrow(const cl::Error& error, const std::string& device) {
 }
 
 std::vector<cl::Device> opencl_devices() {
+  if (drivers_are_distrusted())
+    throw Error(ErrorKind::device, "the OpenCL driver crashed, and again with nothing compiled before (--device twin needs none)");
+  const InForeignCode driver(Foreign::driver);
   prepare_driver_environment();
   std::vector<cl::Device> all;
   std::vector<cl::Platform> platforms;

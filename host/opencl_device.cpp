@@ -4,6 +4,7 @@
 #include <map>
 
 #include "gbuffer/error.h"
+#include "gbuffer/watched.h"
 #include "host/opencl.h"
 #include "host/program.h"
 
@@ -68,6 +69,7 @@ class OpenClBand : public Band {
   void evaluate(const Choice& choice, const Frame& frame) override { run("evaluate", choice, frame, 1, {}); }
 
   void finish() override try {
+    const InForeignCode driver(Foreign::driver);
     const std::size_t bytes = data_.out->bytes();
     if (bytes == 0) return;
     void* mapped = device_.queue().enqueueMapBuffer(out_, CL_TRUE, CL_MAP_READ, 0, bytes);
@@ -80,6 +82,7 @@ class OpenClBand : public Band {
  private:
   /// Launches slice after slice of pixels; `work`: how much a pixel costs, in lights.
   void run(const std::string& name, const Choice& choice, const Frame& frame, std::int64_t work, const Progress& progress) try {
+    const InForeignCode driver(Foreign::driver);
     const cl::Buffer constants(device_.context(), CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, sizeof frame, const_cast<Frame*>(&frame));
     Kernel& kernel = device_.kernel(name, choice);
     const int lanes = device_.info().lanes, local = device_.info().is_cpu ? group : 64;
@@ -90,6 +93,7 @@ class OpenClBand : public Band {
       kernel(cl::EnqueueArgs(device_.queue(), cl::NDRange(items), cl::NDRange(std::size_t(local))), planes_, constants, lights_, tables_, out_,
              cl_int(first));
       device_.queue().finish();
+      beat();
       if (progress) progress(pixels);
     }
   } catch (const cl::Error& error) {
@@ -102,6 +106,7 @@ class OpenClBand : public Band {
 };
 
 std::unique_ptr<Band> OpenClDevice::bind(const BandData& data) try {
+  const InForeignCode driver(Foreign::driver);
   const std::size_t largest = std::max(data.planes->bytes(), data.out->bytes());
   if (largest > info_.max_allocation)
     throw Error(ErrorKind::memory, info_.name + ": a band of " + std::to_string(largest) + " bytes, the device takes " +
@@ -114,6 +119,7 @@ std::unique_ptr<Band> OpenClDevice::bind(const BandData& data) try {
 }  // namespace
 
 std::unique_ptr<Device> open_opencl_device(const cl::Device& device, const DeviceInfo& info) try {
+  const InForeignCode driver(Foreign::driver);
   return std::make_unique<OpenClDevice>(device, info);
 } catch (const cl::Error& error) {
   rethrow(error, info.name);

@@ -9,6 +9,7 @@
 #include "gbuffer/error.h"
 #include "gbuffer/gbuffer.h"
 #include "gbuffer/picture.h"
+#include "gbuffer/watched.h"
 #include "host/binding.h"
 #include "host/camera_choice.h"
 #include "host/device.h"
@@ -75,6 +76,7 @@ class Relight {
 
   void note(const std::string& text) { summary_.notes.push_back(text); }
   void progress(const std::string& stage, double share) const {
+    beat();
     if (observer_.progress) observer_.progress(stage, share);
   }
 

@@ -72,29 +72,37 @@ std::vector<Seed> renderers() {
   const std::string v = "ViewLayer.";
   return {
       {"blender",
-       {{"", "", three(v + "Normal", "XYZ", "N") + three(v + "Position", "XYZ", "P") + three(v + "DiffCol", "RGB", "albedo") +
-                     three(v + "GlossCol", "RGB", "albedo") + std::vector<std::string>{v + "IndexOB.X=id", v + "Depth.Z=depth", v + "rough.X=roughness"}}},
+       {{"", "",
+         three(v + "Normal", "XYZ", "N") + three(v + "Position", "XYZ", "P") + three(v + "DiffCol", "RGB", "albedo") +
+             three(v + "GlossCol", "RGB", "albedo") + std::vector<std::string>{v + "IndexOB.X=id", v + "Depth.Z=depth", v + "rough.X=roughness"}}},
        with<Imf::StringAttribute>("BlenderMultiChannel", std::string("Blender V2.55.1 and newer"))},
       {"blender5",
-       {{v + "Normal", "", three(v + "Normal", "XYZ", "N")}, {v + "Position", "", three(v + "Position", "XYZ", "P")},
+       {{v + "Normal", "", three(v + "Normal", "XYZ", "N")},
+        {v + "Position", "", three(v + "Position", "XYZ", "P")},
         {v + "Diffuse Color", "", three(v + "Diffuse Color", "RGB", "albedo")}}},
       {"blender_stereo",
-       {{"", "", three(v + "Normal.left", "XYZ", "N") + three(v + "Position.left", "XYZ", "P") + three(v + "Normal.right", "XYZ", "N") +
-                     three(v + "Position.right", "XYZ", "P")}},
+       {{"", "",
+         three(v + "Normal.left", "XYZ", "N") + three(v + "Position.left", "XYZ", "P") + three(v + "Normal.right", "XYZ", "N") +
+             three(v + "Position.right", "XYZ", "P")}},
        with<Imf::StringVectorAttribute>("multiView", Imf::StringVector{"left", "right"})},
       {"mitsuba",
-       {{"", "", three("nn", "XYZ", "N") + three("pos", "XYZ", "P") + three("geo", "XYZ", "N") + three("dpdu", "XYZ", "P") +
-                     std::vector<std::string>{"dd.T=depth", "shape.I=id"} + beauty}},
-       with<Imf::StringAttribute>("generatedBy", std::string("Mitsuba version 3.9.1")), Imf::ZIP_COMPRESSION, Imf::HALF},
+       {{"", "",
+         three("nn", "XYZ", "N") + three("pos", "XYZ", "P") + three("geo", "XYZ", "N") + three("dpdu", "XYZ", "P") +
+             std::vector<std::string>{"dd.T=depth", "shape.I=id"} + beauty}},
+       with<Imf::StringAttribute>("generatedBy", std::string("Mitsuba version 3.9.1")),
+       Imf::ZIP_COMPRESSION,
+       Imf::HALF},
       {"pbrt",
-       {{"", "", three("Ns", "XYZ", "N") + three("N", "XYZ", "N") + three("P", "XYZ", "P") + three("Albedo", "RGB", "albedo") +
-                     std::vector<std::string>{"dzdx=x", "dzdy=x", "u=x", "v=x"}}},
+       {{"", "",
+         three("Ns", "XYZ", "N") + three("N", "XYZ", "N") + three("P", "XYZ", "P") + three("Albedo", "RGB", "albedo") +
+             std::vector<std::string>{"dzdx=x", "dzdy=x", "u=x", "v=x"}}},
        [](Imf::Header& header) {
          header.insert("worldToCamera", Imf::M44fAttribute(world_to_camera.transposed()));
          header.insert("worldToNDC", Imf::M44fAttribute(world_to_camera.transposed()));
          header.insert("samplesPerPixel", Imf::IntAttribute(16));
        },
-       Imf::ZIP_COMPRESSION, Imf::HALF},
+       Imf::ZIP_COMPRESSION,
+       Imf::HALF},
       {"pbrt_bare", {{"", "", {"Nsx=N.X", "Nsy=N.Y", "Nsz=N.Z", "Px=P.X", "Py=P.Y", "Pz=P.Z", "dzdx=x", "dzdy=x"}}}},
       {"arnold",
        {{"", "", three("N", "XYZ", "N") + three("P", "XYZ", "P") + std::vector<std::string>{"Z=depth", "id=id"} + beauty}},
@@ -104,41 +112,56 @@ std::vector<Seed> renderers() {
          header.insert("arnold/aovs/N/source", Imf::StringAttribute("N"));
          header.insert("arnold/aovs/N/filter", Imf::StringAttribute("box_filter"));
        }},
-      {"arnold_parts", {{"RGBA", "", beauty}, {"N", "", {"R=N.X", "G=N.Y", "B=N.Z"}}, {"P", "", {"R=P.X", "G=P.Y", "B=P.Z"}}},
+      {"arnold_parts",
+       {{"RGBA", "", beauty}, {"N", "", {"R=N.X", "G=N.Y", "B=N.Z"}}, {"P", "", {"R=P.X", "G=P.Y", "B=P.Z"}}},
        with<Imf::StringAttribute>("arnold/version", std::string("7.4.2"))},
-      {"vray", {{"", "", three("VRayNormals", "XYZ", "N") + three("VRayDiffuseFilter", "RGB", "albedo") + std::vector<std::string>{"VRayZDepth.R=depth"}}},
+      {"vray",
+       {{"", "", three("VRayNormals", "XYZ", "N") + three("VRayDiffuseFilter", "RGB", "albedo") + std::vector<std::string>{"VRayZDepth.R=depth"}}},
        [](Imf::Header& header) {
          header.insert("cameraTransform", Imf::M44fAttribute(world_to_camera));
          header.insert("cameraFov", Imf::FloatAttribute(40));
        }},
-      {"karma", {{"", "", three("N", "xyz", "N") + three("P_camera", "xyz", "P") + three("N_camera", "xyz", "N") + three("albedo", "rgb", "albedo")}},
+      {"karma",
+       {{"", "", three("N", "xyz", "N") + three("P_camera", "xyz", "P") + three("N_camera", "xyz", "N") + three("albedo", "rgb", "albedo")}},
        with<Imf::StringAttribute>("husk:render_stats", std::string(R"({"world_to_ndc": [1,0,0,0,0,1,0,0,0,0,-1,1,0,0,5,0]})"))},
       {"redshift",
-       {{"", "", {"N.red=N.X", "N.green=N.Y", "N.blue=N.Z", "P.red=P.X", "P.green=P.Y", "P.blue=P.Z", "DiffuseFilter.red=albedo.R",
-                  "DiffuseFilter.green=albedo.G", "DiffuseFilter.blue=albedo.B"}}},
+       {{"",
+         "",
+         {"N.red=N.X", "N.green=N.Y", "N.blue=N.Z", "P.red=P.X", "P.green=P.Y", "P.blue=P.Z", "DiffuseFilter.red=albedo.R",
+          "DiffuseFilter.green=albedo.G", "DiffuseFilter.blue=albedo.B"}}},
        [](Imf::Header& header) {
          header.insert("rs/camera/transform", Imf::M44fAttribute(world_to_camera));
          header.insert("rs/camera/fov", Imf::V2fAttribute({40, 40}));
        },
        Imf::RLE_COMPRESSION},
       {"unreal",
-       {{"", "", three("FinalImageMovieRenderQueue_WorldNormal", "RGB", "N") + three("FinalImageMovieRenderQueue_WorldPosition", "RGB", "P") +
-                     std::vector<std::string>{"FinalImageMovieRenderQueue_WorldDepth.R=depth"} + beauty}},
+       {{"", "",
+         three("FinalImageMovieRenderQueue_WorldNormal", "RGB", "N") + three("FinalImageMovieRenderQueue_WorldPosition", "RGB", "P") +
+             std::vector<std::string>{"FinalImageMovieRenderQueue_WorldDepth.R=depth"} + beauty}},
        [](Imf::Header& header) {
          for (const char* key : {"pos/x", "pos/y", "pos/z", "rot/roll", "rot/pitch", "rot/yaw", "FOV"})
            header.insert((std::string("unreal/camera/curPos/") + key).c_str(), Imf::StringAttribute("1.5"));
        }},
-      {"renderman", {{"", "", three("__Nworld", "rgb", "N") + three("__Pworld", "rgb", "P") + three("albedo", "rgb", "albedo")}}, with_matrices, Imf::PXR24_COMPRESSION},
-      {"delight", {{"", "", three("N_camera", "XYZ", "N") + three("P_camera", "XYZ", "P")}}, [](Imf::Header& header) {
+      {"renderman",
+       {{"", "", three("__Nworld", "rgb", "N") + three("__Pworld", "rgb", "P") + three("albedo", "rgb", "albedo")}},
+       with_matrices,
+       Imf::PXR24_COMPRESSION},
+      {"delight",
+       {{"", "", three("N_camera", "XYZ", "N") + three("P_camera", "XYZ", "P")}},
+       [](Imf::Header& header) {
          with_matrices(header);
          header.insert("software", Imf::StringAttribute("3Delight"));
          header.insert("fieldOfViewVertical", Imf::FloatAttribute(40));
        }},
-      {"nuke", {{"", "", {"N.red=N.X", "N.green=N.Y", "N.blue=N.Z", "depth.Z=depth"}}}, [](Imf::Header& header) {
+      {"nuke",
+       {{"", "", {"N.red=N.X", "N.green=N.Y", "N.blue=N.Z", "depth.Z=depth"}}},
+       [](Imf::Header& header) {
          header.insert("nuke/camera/haperture", Imf::FloatAttribute(24.6f));
          header.insert("nuke/camera/focal", Imf::FloatAttribute(33));
        }},
-      {"cryptomatte", {{"", "", plain + std::vector<std::string>{"crypto00.R=x", "crypto00.G=A", "crypto00.B=x", "crypto00.A=x"}}}, [](Imf::Header& header) {
+      {"cryptomatte",
+       {{"", "", plain + std::vector<std::string>{"crypto00.R=x", "crypto00.G=A", "crypto00.B=x", "crypto00.A=x"}}},
+       [](Imf::Header& header) {
          header.insert("cryptomatte/7a28d13/name", Imf::StringAttribute("crypto"));
          header.insert("cryptomatte/7a28d13/hash", Imf::StringAttribute("MurmurHash3_32"));
          header.insert("cryptomatte/7a28d13/conversion", Imf::StringAttribute("uint32_to_float32"));
@@ -149,10 +172,12 @@ std::vector<Seed> renderers() {
 /// Codecs, tiles and types, under plain names.
 std::vector<Seed> layouts() {
   std::vector<Seed> seeds;
-  const std::map<std::string, Imf::Compression> codecs{{"none", Imf::NO_COMPRESSION},   {"rle", Imf::RLE_COMPRESSION},     {"zips", Imf::ZIPS_COMPRESSION},
-                                                       {"piz", Imf::PIZ_COMPRESSION},   {"pxr24", Imf::PXR24_COMPRESSION}, {"b44", Imf::B44_COMPRESSION},
-                                                       {"b44a", Imf::B44A_COMPRESSION}, {"dwaa", Imf::DWAA_COMPRESSION},   {"dwab", Imf::DWAB_COMPRESSION}};
-  for (const auto& [name, codec] : codecs) seeds.push_back({"codec_" + name, {{"", "", plain}}, with_matrices, codec, name == "b44" || name == "b44a" ? Imf::HALF : Imf::FLOAT});
+  const std::map<std::string, Imf::Compression> codecs{
+      {"none", Imf::NO_COMPRESSION},   {"rle", Imf::RLE_COMPRESSION},     {"zips", Imf::ZIPS_COMPRESSION},
+      {"piz", Imf::PIZ_COMPRESSION},   {"pxr24", Imf::PXR24_COMPRESSION}, {"b44", Imf::B44_COMPRESSION},
+      {"b44a", Imf::B44A_COMPRESSION}, {"dwaa", Imf::DWAA_COMPRESSION},   {"dwab", Imf::DWAB_COMPRESSION}};
+  for (const auto& [name, codec] : codecs)
+    seeds.push_back({"codec_" + name, {{"", "", plain}}, with_matrices, codec, name == "b44" || name == "b44a" ? Imf::HALF : Imf::FLOAT});
   seeds.push_back({"tiles", {{"", "", plain}}, with_matrices, Imf::ZIP_COMPRESSION, Imf::HALF, 8});
   seeds.push_back({"mipmap", {{"", "", plain}}, with_matrices, Imf::PIZ_COMPRESSION, Imf::HALF, 5, Imf::MIPMAP_LEVELS});
   seeds.push_back({"ripmap", {{"", "", plain}}, with_matrices, Imf::RLE_COMPRESSION, Imf::HALF, 7, Imf::RIPMAP_LEVELS});
@@ -168,7 +193,9 @@ struct Samples {
   Imf::FrameBuffer frame;
 };
 
-Imf::PixelType type_of(const Seed& seed, const std::string& channel) { return source_of(channel) == "id" && seed.type == Imf::UINT ? Imf::UINT : seed.type; }
+Imf::PixelType type_of(const Seed& seed, const std::string& channel) {
+  return source_of(channel) == "id" && seed.type == Imf::UINT ? Imf::UINT : seed.type;
+}
 
 void fill(Samples& s, const Seed& seed, const SeedPart& part) {
   MadeUpGBuffer made = MadeUpGBuffer::of_size(side, side);
@@ -184,7 +211,7 @@ void fill(Samples& s, const Seed& seed, const SeedPart& part) {
     s.numbers.emplace_back();
     for (const float value : s.floats.back()) s.numbers.back().push_back(unsigned(std::max(value, 0.0f)));
     const Imf::PixelType type = type_of(seed, channel);
-    void* const first = type == Imf::FLOAT ? static_cast<void*>(s.floats.back().data())
+    void* const first = type == Imf::FLOAT  ? static_cast<void*>(s.floats.back().data())
                         : type == Imf::HALF ? static_cast<void*>(s.halves.back().data())
                                             : static_cast<void*>(s.numbers.back().data());
     s.frame.insert(name_of(channel), Imf::Slice::Make(type, first, {0, 0}, side, side));

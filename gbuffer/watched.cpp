@@ -1,0 +1,42 @@
+// Shared memory is anonymous and mapped at the first use, which must come before the fork to be shared.
+#include "gbuffer/watched.h"
+
+#include <sys/mman.h>
+
+#include <cstring>
+#include <new>
+
+namespace relume {
+
+Watched& watched() {
+  static Watched& shared = []() -> Watched& {
+    static Watched own;  // unwatched, then, but running
+    void* const memory = mmap(nullptr, sizeof(Watched), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    return memory == MAP_FAILED ? own : *new (memory) Watched;
+  }();
+  return shared;
+}
+
+void Watched::reset() noexcept {
+  now = Foreign::none;
+  driver_loaded = input_used = finished = false;
+  file[0] = folder[0] = '\0';
+}
+
+InForeignCode::InForeignCode(Foreign code, std::string_view file) : before_(watched().now.load()) {
+  Watched& w = watched();
+  if (!file.empty()) {
+    const std::size_t length = file.copy(w.file, sizeof w.file - 1);
+    w.file[length] = '\0';
+  }
+  if (code == Foreign::driver) w.driver_loaded = true;
+  w.now = code;
+  beat();
+}
+
+InForeignCode::~InForeignCode() {
+  watched().now = before_;
+  beat();
+}
+
+}  // namespace relume
