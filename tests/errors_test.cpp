@@ -89,6 +89,14 @@ TEST_F(Errors, FilesThatAreNoGBuffers) {
   expect(arguments({}, "empty.exr"), 2, "FOLDER/empty.exr: not an OpenEXR file");
 }
 
+TEST_F(Errors, HeadersThatWouldMisleadTheLibrary) {
+  const std::string folder = RELUME_SOURCE "/tests/data/hostile/", place = folder + "second_channel_list.exr";
+  expect({"inspect", place}, 2, place + ": attribute \"nnels\" is a channel list (only \"channels\" may be)");
+  const std::string block = folder + "block_of_1.6_GB.exr";
+  expect({"inspect", block}, 4,
+         block + ": a block of rows decodes to 1610612736 bytes (at most 536870912: ReadLimits::max_block_bytes; codecs with ...");
+}
+
 TEST_F(Errors, LayersThatAreNotThere) {
   put_scene("flat.exr", {"P.X", "P.Y", "P.Z", "roughness"});
   expect(arguments({}, "flat.exr"), 2, "FOLDER/flat.exr: part 0: no normal layer (looked for ..., N, Normal, ...; --map normal=LAYER names one)");
@@ -232,7 +240,7 @@ TEST_F(Errors, Interrupts) {
   for (int k = 0; k < 50000; ++k) lights += (k ? "," : "") + std::string(R"({"type": "point", "position": [2, 3, 4], "intensity": [1, 1, 1]})");
   put("many.json", R"({"relume": 1, "lights": [)" + lights + "]}");
   write_gbuffer(in("big.exr"), MadeUpGBuffer::of_size(2048, 2048));  // 2e11 pixel*lights: minutes
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     for (const bool twin : {true, false}) {  // and the best device there is
       std::vector<std::string> all = arguments({"--quiet"}, "big.exr", "many.json");
       if (!twin) all.erase(all.begin() + 6, all.begin() + 8);
