@@ -27,10 +27,10 @@ constexpr double longest_header = 5;  // seconds of processor time: OpenEXR pars
 constexpr int longest_tidying = 10;   // seconds, after the job's end: drivers close, and some never do
 constexpr int attempts = 3;           // as it is; with nothing compiled kept; without drivers
 
-/// Seconds without progress; 0: any number.
+/// Seconds without progress; 0: any number. Compilers of drivers take their time: rusticl up to 76 s for a program (docs/portability.md).
 int patience() {
   const char* const text = std::getenv("RELUME_TIMEOUT");
-  return text && *text ? std::max(0, std::atoi(text)) : 60;
+  return (text && *text ? std::clamp(std::atoi(text), 0, 1 << 20) : 60) * (watched().now == Foreign::driver ? 5 : 1);
 }
 
 /// How a child came to its end.
@@ -44,7 +44,7 @@ sigset_t awaited_signals() {
   sigset_t set;
   sigemptyset(&set);
   sigaddset(&set, SIGCHLD);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
     struct sigaction now {};
     if (sigaction(signal, nullptr, &now) == 0 && now.sa_handler != SIG_IGN) sigaddset(&set, signal);
   }
@@ -69,8 +69,8 @@ class Watchdog {
     }
     silent_ += counted(used - std::exchange(used_, used));
     if (finished_) return silent_ >= longest_tidying;
-    if (patience_ == 0) return false;
-    return silent_ >= patience_ || (w.now == Foreign::header && used - used_at_beat_ > std::min(longest_header, double(patience_)));
+    const int most = patience();
+    return most > 0 && (silent_ >= most || (w.now == Foreign::header && used - used_at_beat_ > std::min(longest_header, double(most))));
   }
 
  private:
@@ -89,7 +89,6 @@ class Watchdog {
 
   clockid_t clock_{};
   const bool known_;
-  const int patience_ = patience();
   std::uint64_t beats_ = 0;
   bool finished_ = false;
   double used_ = 0, used_at_beat_ = 0, silent_ = 0;
@@ -135,11 +134,9 @@ int say(const std::string& line, ErrorKind kind) {
   return int(kind);
 }
 
-std::string seconds_of_patience() { return std::to_string(patience()) + " s (RELUME_TIMEOUT=SECONDS allows more, 0 any time)"; }
-
 /// "crashed (signal 11)"; or a library called exit().
 std::string what_happened(const End& end) {
-  if (end.stuck) return "made no progress for " + seconds_of_patience();
+  if (end.stuck) return "made no progress for " + std::to_string(patience()) + " s (RELUME_TIMEOUT=SECONDS sets another limit, 0 none)";
   if (WIFSIGNALED(end.status)) return "crashed (signal " + std::to_string(WTERMSIG(end.status)) + ")";
   return "ended the program (exit code " + std::to_string(WEXITSTATUS(end.status)) + ")";
 }
@@ -196,7 +193,7 @@ int supervised(const std::function<int()>& job) {
     if (child == 0) return in_child(job, attempt, parent, before);
     const End end = wait_for(child, awaited);
     sweep();
-    if (watched().finished) return watched().code;
+    if (watched().finished) return WIFEXITED(end.status) ? WEXITSTATUS(end.status) : watched().code.load();
     if (attempt + 1 == attempts || !worth_another(end)) return explain(end);
   }
 }

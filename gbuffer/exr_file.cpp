@@ -197,11 +197,11 @@ struct ExrFile::State {
 
 ExrFile::ExrFile(const std::filesystem::path& file, const ReadLimits& limits) : state_(std::make_unique<State>(file)) {
   State& state = *state_;
+  static std::once_flag threads;
+  std::call_once(threads, [] { Imf::setGlobalThreadCount(int(std::thread::hardware_concurrency())); });  // OpenEXR's own default is none
   state.block_bytes = check_headers(state.stream, limits);
   constexpr std::int64_t header_bytes = 2 * some;  // attributes of 64 MB at most, chunk tables, and our copy of them
   in_library(state.stream.name(), Foreign::header, state.stream.name(), header_bytes, [&] {
-    static std::once_flag threads;
-    std::call_once(threads, [] { Imf::setGlobalThreadCount(int(std::thread::hardware_concurrency())); });  // OpenEXR's own default is none
     // No reconstruction of a missing chunk table: it scans the whole file by lengths that the file claims, and a file without a table
     // was never finished, so its pixels are not to be trusted.
     constexpr bool reconstruct = false;

@@ -43,10 +43,10 @@ class Supervised : public testing::Test {
     return all;
   }
   static std::string decoder(const std::string& fault) {
-    return "RELUME_TIMEOUT=2 RELUME_FAULT=" + fault + " LD_PRELOAD=" RELUME_FAULTS "/zlib_fault.so";
+    return "RELUME_TIMEOUT=1 RELUME_FAULT=" + fault + " LD_PRELOAD=" RELUME_FAULTS "/zlib_fault.so";
   }
   std::string driver(const std::string& fault) const {
-    return "RELUME_TIMEOUT=2 RELUME_FAULT=" + fault +
+    return "RELUME_TIMEOUT=1 RELUME_FAULT=" + fault +
            " OCL_ICD_VENDORS=" RELUME_FAULTS "/driver_fault.so OCL_ICD_FILENAMES=" RELUME_FAULTS "/driver_fault.so XDG_CACHE_HOME=" +
            shell_quoted(inputs_.path().string());
   }
@@ -60,7 +60,7 @@ TEST_F(Supervised, ADecoderThatFailsIsTheFilesFault) {
                     why = ": the file is damaged, or made to do this; nothing was written\n";
   const std::pair<const char*, std::string> faults[] = {{"crash", "crashed (signal 6)"},
                                                         {"exit", "ended the program (exit code 1)"},
-                                                        {"spin", "made no progress for 2 s (RELUME_TIMEOUT=SECONDS allows more, 0 any time)"}};
+                                                        {"spin", "made no progress for 1 s (RELUME_TIMEOUT=SECONDS sets another limit, 0 none)"}};
   for (const auto& [fault, what] : faults)
     for (const std::vector<std::string>& arguments :
          {std::vector<std::string>{"inspect", in("g.exr")}, {"compare", in("g.exr"), in("g.exr")}, shade({"--device", "twin"})}) {
@@ -108,7 +108,7 @@ TEST_F(Supervised, ADriverAskedForByNameIsAnError) {
   const ProgramRun stands = run_program(shade(), {}, driver("stand"));
   EXPECT_EQ(stands.code, 3);
   EXPECT_EQ(stands.err,
-            "relume: the OpenCL driver made no progress for 2 s (RELUME_TIMEOUT=SECONDS allows more, 0 any time); nothing was written "
+            "relume: the OpenCL driver made no progress for 5 s (RELUME_TIMEOUT=SECONDS sets another limit, 0 none); nothing was written "
             "(--device twin needs no driver)\n");
   EXPECT_TRUE(nothing_left());
 }
