@@ -10,6 +10,7 @@ namespace relume {
 namespace {
 
 constexpr std::int64_t longest_name = 255;        // with the long-names flag; without it 31, but some writers forget the flag
+constexpr int most_attributes = 100'000;          // of all parts: hundreds of parts with hundreds each
 constexpr std::int64_t longest_value = 64 << 20;  // large tables and metadata fit; OpenEXR allocates this before it reads
 
 /// Sizes that fixed-size types must have: OpenEXR reads them without looking at the declared size, and would then read another header than we.
@@ -100,6 +101,7 @@ RawHeader HeaderReader::next() {
     RawAttribute attribute;
     attribute.name = text(position_, file_.size(), "attribute name");
     if (attribute.name.empty()) return header;
+    if (++attributes_ > most_attributes) refuse("more than " + number(most_attributes) + " attributes");
     attribute.type = text(position_, file_.size(), "attribute type");
     attribute.size = integer(position_);
     attribute.position = position_ + 4;

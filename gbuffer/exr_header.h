@@ -47,7 +47,7 @@ class HeaderReader {
 
   InputStream& file_;
   std::uint64_t position_ = 0;
-  int part_ = -1;
+  int part_ = -1, attributes_ = 0;
 };
 
 }  // namespace relume

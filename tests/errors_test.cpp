@@ -92,6 +92,10 @@ TEST_F(Errors, FilesThatAreNoGBuffers) {
 TEST_F(Errors, HeadersThatWouldMisleadTheLibrary) {
   const std::string folder = RELUME_SOURCE "/tests/data/hostile/", place = folder + "second_channel_list.exr";
   expect({"inspect", place}, 2, place + ": attribute \"nnels\" is a channel list (only \"channels\" may be)");
+  std::string many("\x76\x2f\x31\x01\2\0\0\0", 8);
+  for (int i = 0; i <= 100000; ++i) many += std::to_string(i) + std::string("\0int\0\4\0\0\0\0\0\0\0", 13);
+  put("many.exr", many);
+  expect({"inspect", in("many.exr")}, 2, "FOLDER/many.exr: more than 100000 attributes");
   const std::string block = folder + "block_of_1.6_GB.exr";
   expect({"inspect", block}, 4,
          block + ": a block of rows decodes to 1610612736 bytes (at most 536870912: ReadLimits::max_block_bytes; codecs with ...");

@@ -83,13 +83,14 @@ void read_as(const ExrFile& file, const ReadingOptions& options) {
     read_gbuffer(file, reading, {all.min_x, y, all.max_x, std::min(y + band_rows, all.max_y)}, roles, 0);
 }
 
-/// One way of asking for each file, by its size: all for each would cost the speed. Half bring a camera, since recovering one takes longest.
+/// One way of asking for each file, by its size: all for each would cost the speed. Most bring a camera: recovering one takes longer than all else.
 ReadingOptions options_for(std::size_t size) {
+  const std::size_t way = size % 8;
   ReadingOptions options;
-  if (size % 4 == 1) options.recover_camera = true;
-  if (size % 4 == 1) options.normal_encoding = NormalEncoding::as_unsigned;
-  if (size % 4 >= 2) options.camera = Camera{};
-  if (size % 4 == 3) options.position_space = options.normal_space = Space::camera;
+  if (way == 1) options.recover_camera = true;
+  if (way > 1) options.camera = Camera{};
+  if (way % 2 == 1) options.normal_encoding = NormalEncoding::as_unsigned;
+  if (way % 4 == 3) options.position_space = options.normal_space = Space::camera;
   return options;
 }
 
