@@ -1,7 +1,6 @@
 // Conventions: who wrote a file, and which layer plays which role, from header and names alone; made-up headers, then the corpus.
 #include "gbuffer/convention.h"
 
-#include <ImfMatrixAttribute.h>
 #include <ImfStringAttribute.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +10,6 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "gbuffer/common_names.h"
 #include "tests/made_up_exr.h"
 #include "tests/reading_words.h"
 
@@ -174,7 +172,6 @@ const Written files[] = {
 };
 
 class Wrote : public testing::TestWithParam<Written> {};
-
 TEST_P(Wrote, IsKnownWithItsRoles) {
   const Written& w = GetParam();
   const MadeUpExr made(
@@ -192,7 +189,7 @@ TEST_P(Wrote, IsKnownWithItsRoles) {
 INSTANTIATE_TEST_SUITE_P(Files, Wrote, testing::ValuesIn(files));
 
 TEST(Conventions, EachHasAFileOfItsOwn) {
-  std::set<std::string> tried{};
+  std::set<std::string> tried;
   for (const Written& w : files) tried.insert(w.convention);
   for (const Convention& convention : conventions()) EXPECT_TRUE(tried.contains(convention.name)) << convention.name << " has no made-up file above";
 }
@@ -242,47 +239,6 @@ TEST(Conventions, PartsWithoutABeauty) {
   EXPECT_EQ(reading.roles.at("depth").part, 2);
   EXPECT_EQ(reading.roles.at("roughness").channels, std::vector<std::string>{"Y"});
   EXPECT_EQ(reading.roles.at("coverage").channels, std::vector<std::string>{"A"});
-}
-
-TEST(CommonNames, Meanings) {
-  const std::map<std::string, std::string> expected{{"WorldNormals", "normal world"},
-                                                    {"normalsWorld", "normal world"},
-                                                    {"world_normal", "normal world"},
-                                                    {"Nrm_ws", "normal world"},
-                                                    {"nrm", "normal"},
-                                                    {"NormalWS", "normal world"},
-                                                    {"N_camera", "normal camera"},
-                                                    {"camNormal", "normal camera"},
-                                                    {"bump normals", "normal"},
-                                                    {"geo_normal", "base_normal"},
-                                                    {"ViewLayer.Normal", "normal"},
-                                                    {"position_ws", "position world"},
-                                                    {"P_world", "position world"},
-                                                    {"Pworld", "position world"},
-                                                    {"worldpos", "position world"},
-                                                    {"point_position_pass", "position"},
-                                                    {"viewPos", "position camera"},
-                                                    {"zDepth", "depth"},
-                                                    {"ZDepth", "depth"},
-                                                    {"depth.Z", "depth"},
-                                                    {"hitdist", "depth distance"},
-                                                    {"basecolor", "albedo"},
-                                                    {"BaseColor", "albedo"},
-                                                    {"diffuse_color", "albedo"},
-                                                    {"Cd", "albedo"},
-                                                    {"Specular_Roughness", "roughness"},
-                                                    {"Metalness", "metallic"},
-                                                    {"shininess", "exponent"},
-                                                    {"objectId", "ids"}};
-  const std::map<Says, std::string> said{{Says::nothing, ""}, {Says::world, " world"}, {Says::camera, " camera"}, {Says::distance, " distance"}};
-  for (const auto& [name, meaning] : expected) {
-    const auto found = meaning_of(name);
-    ASSERT_TRUE(found) << name;
-    EXPECT_EQ(found->role + said.at(found->says), meaning) << name;
-  }
-  for (const char* other : {"specular", "coat_roughness", "Pref", "tangent_normal", "object_position", "normal_variance", "light_normal",
-                            "depth_normalized", "motion vector", "diffuse", "CryptoObject00", "emission", "previous position"})
-    EXPECT_FALSE(meaning_of(other)) << other;
 }
 
 const fs::path folder = fs::path(RELUME_CORPUS) / "conventions";
