@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/reading_arguments.h"
 #include "gbuffer/contact_sheet.h"
+#include "gbuffer/convention.h"
 #include "gbuffer/error.h"
 #include "gbuffer/printable.h"
 #include "host/camera_choice.h"
@@ -27,13 +28,19 @@ struct DoctorArguments {
   ReadingArguments reading;
 };
 
-Rig rig_of(const ExrFile& file, const ReadingOptions& reading, const std::vector<std::string>& files) {
+/// The rigs, taken to the file's world as relume shade takes them.
+std::vector<Rig> rigs_of(const ExrFile& file, const ReadingOptions& reading, const std::vector<std::string>& files) {
+  if (files.empty()) return {};
   RigOptions options;
   options.convention = convention_of(file, reading).name;
   options.world_is_z_up = options.convention == "blender";
   std::vector<Rig> rigs;
   for (const std::string& rig : files) rigs.push_back(read_rig(rig, options));
-  return merge(std::move(rigs));
+  try {
+    understand_with_rigs(file, reading, rigs);
+  } catch (const Error&) {  // diagnose() meets the same and tells it as a finding
+  }
+  return rigs;
 }
 
 /// Of the lights that stand somewhere: a position counts by its distance to them.
@@ -44,11 +51,9 @@ std::vector<glm::dvec3> places_of(const std::vector<Light>& lights) {
   return places;
 }
 
-/// As relume shade does it with these rigs.
-Diagnosis diagnosis_with(const ExrFile& file, const ReadingOptions& options, const Rig& rig) {
-  if (!rig.camera) return diagnose(file, options, places_of(rig.lights));
-  return diagnose(file, options, places_of(rig.lights),
-                  [&rig](const ExrFile& f, const ReadingOptions& o) { return understand_with_camera(f, o, rig.camera); });
+Diagnosis diagnosis_with(const ExrFile& file, const ReadingOptions& options, const std::vector<glm::dvec3>& lights, std::vector<Rig> rigs) {
+  if (rigs.empty()) return diagnose(file, options, lights);
+  return diagnose(file, options, lights, [rigs](const ExrFile& f, const ReadingOptions& o) mutable { return understand_with_rigs(f, o, rigs); });
 }
 
 const char* name_of(Severity severity) { return severity == Severity::defect ? "defect" : "hint"; }
@@ -116,8 +121,9 @@ void write_pictures(const ExrFile& file, const Diagnosis& diagnosis, const std::
 int doctor(const DoctorArguments& a) {
   const ExrFile file(a.file);
   const ReadingOptions options = a.reading.options();
-  const Rig rig = rig_of(file, options, a.rigs);
-  const Diagnosis diagnosis = diagnosis_with(file, options, rig);
+  const std::vector<Rig> rigs = rigs_of(file, options, a.rigs);
+  const std::vector<glm::dvec3> lights = places_of(merge(rigs).lights);
+  const Diagnosis diagnosis = diagnosis_with(file, options, lights, rigs);
   if (a.json)
     std::cout << diagnosis_json(file, diagnosis).dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
   else
@@ -126,7 +132,7 @@ int doctor(const DoctorArguments& a) {
   if (!a.png.empty() && std::any_of(diagnosis.findings.begin(), diagnosis.findings.end(), damaged))
     std::cerr << "relume: no pictures of a file whose rows cannot all be decoded\n";
   else if (!a.png.empty())
-    write_pictures(file, diagnosis, places_of(rig.lights), a);
+    write_pictures(file, diagnosis, lights, a);
   return diagnosis.sick() ? 1 : 0;
 }
 

@@ -48,7 +48,10 @@ struct Neighbourhood {
 
   std::size_t index(int x, int y) const { return std::size_t(y - window.min_y) * std::size_t(window.width()) + std::size_t(x - window.min_x); }
   bool inside(int x, int y) const { return x >= window.min_x && x < window.max_x && y >= window.min_y && y < window.max_y; }
-  glm::dvec3 normal(std::size_t i) const { return {normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]}; }
+  glm::dvec3 normal(std::size_t i) const {
+    if (normals.empty()) return {0, 0, 1};  // without normals, alpha and ids alone tell
+    return {normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]};
+  }
 
   bool empty(std::size_t i) const { return !(glm::length(normal(i)) >= covers_nothing); }
 

@@ -223,7 +223,7 @@ bool misses_centres(const Reading& reading, const std::vector<Sighting>& mixed, 
 }  // namespace
 
 bool looks_filtered(const ExrFile& file, const Reading& reading) {
-  if (reading.normal_in_tangent_frame) return false;  // its normals do not tell surfaces apart
+  if (reading.normal_in_tangent_frame || is_made(reading, "normal")) return false;  // such normals do not tell surfaces apart
   const std::vector<SampledBand> bands = sample_rows(file, reading, {"normal", "ids"});
   if (!reading.mean_over_hits && std::none_of(bands.begin(), bands.end(), [&](const SampledBand& band) { return shows_means(reading, band); }))
     return false;

@@ -64,7 +64,7 @@ struct Row {
 Camera where_positions_are(Camera camera, const Reading& reading) {
   if (reading.position_space == Space::world) return camera;
   camera.world_from_camera = glm::dmat4(1);
-  if (reading.camera_z_forward) camera.world_from_camera[2] *= -1.0;
+  if (reading.position_axes.sign[2] < 0) camera.world_from_camera[2] *= -1.0;
   return camera;
 }
 
@@ -135,7 +135,7 @@ Reading reading_of(const ExrFile& file, const json& answer) {
     reading.part = reading.roles["position"].part;
     reading.position_premultiplied = position.value("premultiplied", false);
     reading.position_space = position["space"] == "world" ? Space::world : Space::camera;
-    reading.camera_z_forward = position["space"] == "camera_forward";
+    if (position["space"] == "camera_forward") reading.position_axes.sign[2] = -1;
   }
   if (answer["layers"]["normal"].value("encoding", "") == "unsigned") reading.normal_encoding = NormalEncoding::as_unsigned;
   const Part& part = file.parts()[std::size_t(reading.part)];

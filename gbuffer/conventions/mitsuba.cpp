@@ -74,7 +74,7 @@ void settle_filtering(const ExrFile& file, const ReadingOptions& options, Readin
   std::int64_t mixed = 0, all = 0;
   for (const SampledBand& band : sample_rows(file, reading, {"normal", "ids"})) {
     for (std::int64_t i = 0; i < band.window.pixels(); ++i) {
-      const double length = glm::length(decoded_normal(reading, band.vector("normal", i)));
+      const double length = band.has("normal") ? glm::length(decoded_normal(reading, band.vector("normal", i))) : 1;
       if (!(length > 0)) continue;
       const double id = band.has("ids") ? double(band.value("ids", i)) : 0;
       constexpr double short_of_one = 0.98, fraction = 0.01;  // wider than what half precision rounds

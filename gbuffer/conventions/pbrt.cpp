@@ -16,6 +16,9 @@ void choose_lobes(Reading& reading) {
       "a pbrt file does not tell its materials: Lambert with the stored albedo is taken (--diffuse, --specular and --set say otherwise)");
 }
 
+/// P is a mean over what was hit, albedo one over the pixel.
+void set_filtering(const ExrFile&, const std::vector<Layer>&, Reading& reading) { reading.mean_over_hits = true; }
+
 std::optional<Camera> stored_camera(const ExrFile& file, const Reading& reading) {
   const auto cameras = header_cameras(file.parts()[std::size_t(reading.part)].header, reading.display_window);
   if (cameras.empty()) return {};

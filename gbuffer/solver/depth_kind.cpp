@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <limits>
 
 #include "gbuffer/layer_frame.h"
 #include "gbuffer/solver/question.h"
@@ -65,10 +66,24 @@ std::optional<Misfit> by_planes(const Asked& asked, const Reading& reading) {
   return Misfit{median(z), median(distance), "of 1/z, bent over what should be planes"};
 }
 
+/// A depth that fills 0..1 is likelier to be scaled for looking at than to be that of a scene less than one unit deep.
+void note_scaled_depth(const Asked& asked, Reading& reading) {
+  float nearest = std::numeric_limits<float>::infinity(), farthest = 0;
+  for (const SampledBand& band : asked.bands)
+    for (const float depth : band.planes.at("depth"))
+      if (depth > 0 && depth < reading.background_depth) nearest = std::min(nearest, depth), farthest = std::max(farthest, depth);
+  constexpr float spread = 0.25;  // of the unit: a small object seen from less than one unit away is not as deep
+  if (farthest <= 1 && farthest - nearest > spread)
+    reading.notes.push_back("warning: depth lies within 0..1, as if scaled between a near and a far plane: positions made from it are then wrong (" +
+                            reading.roles.at("depth").layer + "; --map position=LAYER or --map depth=LAYER names another)");
+}
+
 }  // namespace
 
 void ask_depth_kind(const Asked& asked, Reading& reading) {
-  if (!reading.roles.contains("depth") || asked.options.depth_kind || !reading.camera) return;
+  if (!reading.roles.contains("depth")) return;
+  if (is_made(reading, "position")) note_scaled_depth(asked, reading);
+  if (asked.options.depth_kind || !reading.camera) return;
   if (reading.camera->projection == Camera::Projection::orthographic) return;  // there both are the same
   const bool made = is_made(reading, "position");
   if (made && !reading.camera->lens) return;

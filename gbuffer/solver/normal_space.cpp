@@ -109,6 +109,10 @@ std::vector<Candidate> candidates_of(const std::vector<SurfaceNormal>& samples, 
   for (const Space space : spaces)
     for (const Candidate& c : scored(samples, space, *reading.camera))
       if (allowed(c, asked.options)) candidates.push_back(c);
+  if (reading.normal_space == Space::view_ray) return candidates;
+  // V-Ray's frame also where another program has dropped its marks: as V-Ray stores it only, since flipped it differs from camera space by little.
+  const Candidate view_ray = scored(samples, Space::view_ray, *reading.camera).front();
+  if (allowed(view_ray, asked.options)) candidates.push_back(view_ray);
   return candidates;
 }
 
