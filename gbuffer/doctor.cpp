@@ -51,8 +51,8 @@ Reading reading_by_names(const ExrFile& file) {
     return !(own.data_window == first.data_window) || layer.view != layers.front().view || layer.view_layer != layers.front().view_layer;
   });
   reading.convention = convention.name;
-  reading.evidence = convention.recognise(file, layers_of(file));
-  convention.assign(file, layers, reading);
+  reading.evidence = evidence_for(convention, file, layers_of(file)).words;
+  assign_roles(convention, file, layers, reading);
   add_remaining_layers(layers, reading);
   reading.data_window = file.parts()[std::size_t(reading.part)].data_window;
   reading.display_window = file.parts()[std::size_t(reading.part)].display_window;

@@ -211,13 +211,23 @@ std::optional<Camera> camera_of_positions(const Reading& reading) {
   return camera;
 }
 
+/// Pixels: how far all but a tenth of the sightings are from where the camera sees them at most.
+double usual_miss(const Camera& camera, const std::vector<Sighting>& sightings) {
+  std::vector<double> misses;
+  for (const Sighting& s : sightings) misses.push_back(reprojection_error(camera, {s}));
+  const auto rank = misses.begin() + std::ptrdiff_t(double(misses.size() - 1) * 0.9);
+  std::nth_element(misses.begin(), rank, misses.end());
+  return *rank;
+}
+
 /// Beside an edge the hits lie to one side of the pixel's centre, and so does their mean.
 bool misses_centres(const Reading& reading, const std::vector<Sighting>& mixed, const std::vector<Sighting>& pure) {
   constexpr std::size_t too_few = 8;
   constexpr double noticeable = 0.03, clearly = 4;  // pixels: half precision misses by 0.01; and more than inside of surfaces
-  const auto camera = camera_of_positions(reading);
+  auto camera = camera_of_positions(reading);
   if (!camera || mixed.size() < too_few || pure.size() < too_few) return false;
-  return fit_pose(*camera, mixed).residual > std::max(noticeable, clearly * fit_pose(*camera, pure).residual);
+  camera->lens = fit_pose(*camera, pure).lens();
+  return usual_miss(*camera, mixed) > std::max(noticeable, clearly * usual_miss(*camera, pure));
 }
 
 }  // namespace

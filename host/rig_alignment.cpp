@@ -9,6 +9,7 @@
 #include <glm/trigonometric.hpp>
 #include <vector>
 
+#include "gbuffer/unit_ratio.h"
 #include "host/json.h"
 
 namespace relume {
@@ -40,14 +41,10 @@ double angle_between(const glm::dmat3& a, const glm::dmat3& b) {
   return glm::degrees(angle);
 }
 
-/// The ratio of two units of length that comes nearest, if it is near; else the scale itself.
+/// A ratio of units where one is near; else the scale itself.
 double unit_near(double scale) {
   constexpr double near = 0.03;  // what the two eyes of a stereo pair leave
-  double best = scale, distance = near;
-  for (const double a : {1.0, 0.01, 0.1, 0.001, 0.0254, 0.3048, 0.9144, 1000.0})  // metre, centimetre, ..., inch, foot, yard, kilometre
-    for (const double b : {1.0, 0.01, 0.1, 0.001, 0.0254, 0.3048, 0.9144, 1000.0})
-      if (const double d = std::abs(scale * b / a - 1); d < 0.999 * distance) best = a / b, distance = d;
-  return best;
+  return unit_ratio_near(scale, near).value_or(scale);
 }
 
 bool orthographic(const Camera& camera) { return camera.projection == Camera::Projection::orthographic; }

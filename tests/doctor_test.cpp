@@ -128,7 +128,7 @@ TEST(Doctor, AvertedNormals) {
 TEST(Doctor, NormalsInAnotherSpace) {
   MadeUpGBuffer made = MadeUpGBuffer::of_size(256, 256);
   made.pixel = [](int, int, ScenePixel& p) { p.normal = {p.normal.z, p.normal.x, p.normal.y}; };
-  const Doctored d = doctored(made, {"--normal-space", "world"});
+  const Doctored d = doctored(made, {"--normal-space", "world", "--normal-axes", "x,y,z"});
   ASSERT_EQ(d.of("misplaced_normals").size(), 1u) << d.json.dump(1);
   EXPECT_EQ(d.of("misplaced_normals")[0]["severity"], "defect");
   EXPECT_GT(d.of("misplaced_normals")[0]["pixels"], 1000);
@@ -299,8 +299,8 @@ TEST(Doctor, DuplicateLayers) {
   EXPECT_EQ(d.of("duplicate_layers").size(), 1u) << d.json.dump(1);
 }
 
-TEST(Doctor, FileWithoutNormalsIsStillLookedAt) {
-  const MadeUpExr file({{"", "", {"P.X", "P.Y", "P.Z", "thing"}}}, 16, 16,
+TEST(Doctor, FileWithoutPositionsIsStillLookedAt) {
+  const MadeUpExr file({{"", "", {"N.X", "N.Y", "N.Z", "thing"}}}, 16, 16,
                        [](const std::string& c, int x, int y) { return c == "thing" && x == 5 && y == 6 ? infinity : double(x + 1); });
   const Doctored d = doctored(file.file);
   EXPECT_EQ(d.code, 1);

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "host/ggx_albedo.h"
 #include "host/conversions.h"
+#include "host/ggx_albedo.h"
 #include "host/rough_transmittance.h"
 #include "tests/reflectance.h"
 #include "tests/rendered_rows.h"

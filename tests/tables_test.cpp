@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "host/ggx_albedo.h"
 #include "host/conversions.h"
+#include "host/ggx_albedo.h"
 #include "host/rough_transmittance.h"
 #include "host/visible_normals.h"
 #include "kernels/cycles_tables.h"

@@ -18,13 +18,13 @@ void examine(const Patient& patient, std::vector<Check>&, std::vector<Finding>& 
                         "no albedo layer",
                         "every surface has the same colour",
                         "--set albedo=R,G,B; --map albedo=LAYER; --materials FILE"});
-  if (!any("roughness", "alpha", "glossiness") && patient.reading.default_specular != "none")
+  if (!any("roughness", "alpha", "glossiness", "exponent"))
     findings.push_back({"",
                         Severity::hint,
                         "",
                         {},
                         "no roughness layer",
-                        "highlights have the default width everywhere",
+                        patient.reading.default_specular == "none" ? "only diffuse light is shaded" : "highlights have the default width everywhere",
                         "--set roughness=0.4; --map roughness=LAYER; --materials FILE"});
 }
 

@@ -9,6 +9,7 @@
 #include "gbuffer/camera_header.h"
 #include "gbuffer/layer_frame.h"
 #include "gbuffer/solver/question.h"
+#include "gbuffer/unit_ratio.h"
 
 namespace relume {
 namespace {
@@ -86,8 +87,9 @@ bool take_units_and_axes(const std::vector<Camera>& stated, const std::vector<Si
   for (const Camera& camera : stated) {
     const auto axes = right_angles(glm::dmat3(camera.world_from_camera) * glm::transpose(glm::dmat3(seen->world_from_camera)));
     if (!axes) continue;
-    double scale = glm::length(camera.eye()) / glm::length(seen->eye());
-    if (const double power = std::pow(10, std::round(std::log10(scale))); std::abs(scale / power - 1) < 0.01) scale = power;
+    const auto ratio = unit_ratio_near(glm::length(camera.eye()) / glm::length(seen->eye()), 0.01);
+    if (!ratio) continue;  // some camera's axes and distance can always be made to fit
+    const double scale = *ratio;
     if (!(glm::distance(camera.eye(), scale * in_axes(*axes, seen->eye())) < 0.01 * glm::length(camera.eye()))) continue;
     if (*axes == Axes{} && scale == 1) return false;
     reading.position_axes = *axes;
@@ -119,7 +121,8 @@ void ask_position_space(const Asked& asked, Reading& reading) {
   const Candidate world = best_of(worlds, sightings);
   const bool camera_wins = seen.fit.residual < agreement && seen.fit.residual < clear_win * world.fit.residual;
   const bool world_wins = world.fit.residual < agreement && world.fit.residual < clear_win * seen.fit.residual;
-  if (!camera_wins && !world_wins && world.fit.residual > agreement && seen.fit.residual > agreement &&
+  const bool of_the_file = !asked.options.camera;  // a rig in another world is the one to be turned (host/rig_alignment.h)
+  if (of_the_file && !camera_wins && !world_wins && world.fit.residual > agreement && seen.fit.residual > agreement &&
       take_units_and_axes(stated, sightings, reading))
     return;
   const bool camera = camera_wins || (!world_wins && reading.position_space == Space::camera);
