@@ -1,11 +1,12 @@
 // relume list: the lists that the kernels, the files' keys and the tests are made from.
 #include <cstdio>
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
 #include "gbuffer/convention.h"
-#include "gbuffer/error.h"
+#include "gbuffer/roles.h"
 #include "host/lobes.h"
 
 namespace relume {
@@ -91,15 +92,29 @@ Json conventions_json() {
   return all;
 }
 
+Json roles_json() {
+  Json all = Json::array();
+  for (const Role& role : roles()) all.push_back({{"name", role.name}, {"components", role.components}, {"meaning", role.meaning}});
+  return all;
+}
+
+std::string headline(const Json& entry) {
+  for (const char* key : {"title", "meaning"})
+    if (entry.contains(key)) return entry[key];
+  return entry["source"];
+}
+
 int list(const std::string& what, bool as_json) {
-  const Json lists = what == "brdfs" ? brdfs_json() : what == "lights" ? lights_json() : conventions_json();
+  static const std::map<std::string, Json (*)()> makers{
+      {"brdfs", brdfs_json}, {"lights", lights_json}, {"conventions", conventions_json}, {"roles", roles_json}};
+  const Json lists = makers.at(what)();
   if (as_json)
     std::cout << lists.dump(2) << "\n";
   else if (what == "brdfs")
     print_brdfs(lists);
   else
     for (const auto& entry : lists) {
-      std::printf("%-12s %s\n", entry["name"].get<std::string>().c_str(), entry.value("title", entry["source"].get<std::string>()).c_str());
+      std::printf("%-12s %s\n", entry["name"].get<std::string>().c_str(), headline(entry).c_str());
       if (entry.contains("keys")) std::printf("%-12s keys: %s\n", "", joined(entry["keys"]).c_str());
       if (entry.contains("marks"))
         std::printf("%-12s known by: %s\n%-12s source: %s\n", "", entry["marks"].get<std::string>().c_str(), "",
@@ -116,7 +131,9 @@ void add_list(CLI::App& command, Action& action) {
     bool json = false;
   };
   const auto a = std::make_shared<Arguments>();
-  command.add_option("what", a->what, "brdfs, lights or conventions")->required()->check(CLI::IsMember({"brdfs", "lights", "conventions"}));
+  command.add_option("what", a->what, "brdfs, lights, conventions or roles")
+      ->required()
+      ->check(CLI::IsMember({"brdfs", "lights", "conventions", "roles"}));
   command.add_flag("--json", a->json, "for programs");
   command.footer("Example: relume list brdfs");
   command.callback([a, &action] { action = [a] { return list(a->what, a->json); }; });

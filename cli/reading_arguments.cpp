@@ -1,15 +1,14 @@
 // ReadingArguments: the command line's words into ReadingOptions.
 #include "cli/reading_arguments.h"
 
-#include <algorithm>
 #include <array>
 #include <sstream>
 #include <string_view>
 #include <utility>
 
 #include "gbuffer/error.h"
+#include "gbuffer/roles.h"
 #include "host/json.h"
-#include "host/lobes.h"
 #include "host/rig.h"
 
 namespace relume {
@@ -20,7 +19,7 @@ void ReadingArguments::add_to(CLI::App& command) {
       ->group(group);
   command
       .add_option("--map", map,
-                  "ROLE=LAYER: the layer that holds a role: normal, position, ids, coverage, uv, or a parameter (albedo, roughness, ...)")
+                  "ROLE=LAYER: the layer that holds a role (relume list roles): normal, position, ids, ..., or a parameter (albedo, roughness, ...)")
       ->group(group);
   command.add_option("--part", part, "the part of a multi-part file")->group(group);
   command.add_option("--view-layer", view_layer, "Blender's view layer; default: the first")->group(group);
@@ -53,12 +52,10 @@ namespace {
 
 /// A mistyped role would be mapped and never read.
 void check_role(const std::string& role) {
-  std::vector<std::string_view> roles{"position", "normal",     "base_normal",   "tangent",          "depth", "coverage", "ids",
-                                      "uv",       "glossiness", "diffuse_light", "diffuse_raw_light"};
-  const std::vector<std::string_view> parameters = parameter_names();
-  roles.insert(roles.end(), parameters.begin(), parameters.end());
-  if (std::find(roles.begin(), roles.end(), role) == roles.end())
-    throw Error(ErrorKind::input, "--map: no role " + in_quotes(role) + " (has: " + listed(roles) + ")");
+  if (find_role(role)) return;
+  std::vector<std::string_view> names;
+  for (const Role& known : roles()) names.push_back(known.name);
+  throw Error(ErrorKind::input, "--map: no role " + in_quotes(role) + " (has: " + listed(names) + ")");
 }
 
 /// "x,-y,z": each axis once, with or without a minus.

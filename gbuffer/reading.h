@@ -63,13 +63,10 @@ struct RoleLayer {
   std::vector<SampleType> types;
 };
 
-/// Roles: "position", "normal", "base_normal" (geometric), "tangent" (dp_du), "depth", "coverage" (alpha), "ids", "uv", and any parameter of a
-/// lobe: "albedo", "roughness", "base_color", "glossy_albedo", ... ; and what parameters can be made from: "glossiness" (1 - roughness),
-/// "diffuse_light" with "diffuse_raw_light" (their quotient is the albedo).
 struct Reading {
-  std::string convention;  ///< a name of conventions()
-  std::string evidence;    ///< why this convention: "header attribute generatedBy = \"Mitsuba version 3.9.1\""
-  std::map<std::string, RoleLayer> roles;
+  std::string convention;                         ///< a name of conventions()
+  std::string evidence;                           ///< why this convention: "header attribute generatedBy = \"Mitsuba version 3.9.1\""
+  std::map<std::string, RoleLayer> roles;         ///< by the names of gbuffer/roles.h, and layers that materials name by their own
   std::map<std::string, std::string> looked_for;  ///< the names tried for each role, for the message where none was found
   std::string view_layer, view;                   ///< those chosen, where the file has them
   std::string ids_cryptomatte;                    ///< the Cryptomatte that --map ids=NAME means, if it means one (gbuffer/object_ids.h)

@@ -5,6 +5,8 @@
 #include <set>
 #include <string_view>
 
+#include "gbuffer/roles.h"
+
 namespace relume {
 namespace {
 
@@ -33,21 +35,17 @@ bool add_all(RoleLayer& role, const Layer& layer, std::string_view letters) {
 }  // namespace
 
 RoleLayer as_role(const Layer& layer, const std::string& role) {
-  static const std::set<std::string> vectors{"position", "normal", "base_normal", "tangent", "albedo", "base_color",    "glossy_albedo",    "f0",
-                                             "f90",      "kd",     "ks",          "eta",     "k",      "diffuse_light", "diffuse_raw_light"};
-  static const std::set<std::string> numbers{"glossiness", "depth",           "ids",      "primitive_ids", "roughness",
-                                             "alpha",      "metallic",        "exponent", "ior",           "sigma",
-                                             "sigma_r",    "specular_level",  "sheen",    "sheen_tint",    "spec_tint",
-                                             "clearcoat",  "clearcoat_gloss", "flatness", "nonlinear",     "diffuse_roughness"};
+  const Role* const known = find_role(role);
+  const int wanted = known ? known->components : 0;  // 0: a layer that a material names: what there is
   constexpr std::string_view any_number = "0itzxruyvgb";
   RoleLayer result{layer.part, display_name(layer, false), {}, {}};
   if (role == "coverage") {  // an alpha, or all that a layer of that name has; never the red of a picture
     add_first(result, layer, layer.components.size() == 1 ? "a0xriz" : "a");
   } else if (role == "uv") {
     add_all(result, layer, "uv") || add_all(result, layer, "xy") || add_all(result, layer, "rg");
-  } else if (numbers.contains(role)) {
+  } else if (wanted == 1) {
     add_first(result, layer, any_number);
-  } else if (!add_all(result, layer, "xyz") && !add_all(result, layer, "rgb") && !add_all(result, layer, "uvw") && !vectors.contains(role)) {
+  } else if (!add_all(result, layer, "xyz") && !add_all(result, layer, "rgb") && !add_all(result, layer, "uvw") && wanted != 3) {
     add_all(result, layer, "uv") || add_first(result, layer, any_number);
   }
   return result;
