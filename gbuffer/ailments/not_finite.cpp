@@ -65,8 +65,8 @@ void examine(const Patient& patient, std::vector<Check>& checks, std::vector<Fin
     Check check;
     check.roles = {role};
     check.tallies = kinds;
-    check.look = [role](const Row& row, std::span<Tally> tallies) { look(row, role, tallies); };
-    check.conclude = [role, name = layer.layer](std::span<const Tally> tallies, std::vector<Finding>& findings) {
+    check.look = [role = role](const Row& row, std::span<Tally> tallies) { look(row, role, tallies); };
+    check.conclude = [role = role, name = layer.layer](std::span<const Tally> tallies, std::vector<Finding>& findings) {
       const char* const words[] = {"NaN", "infinite", "minus infinite"};
       for (int k = 0; k < kinds; ++k)
         if (tallies[k].pixels)
