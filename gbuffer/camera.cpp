@@ -8,17 +8,12 @@
 #include <limits>
 #include <numbers>
 
+#include "gbuffer/median.h"
+
 namespace relume {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-double median(std::vector<double> values) {
-  if (values.empty()) return infinity;
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// What the lens makes pixels of: offsets a unit in front of the eye; orthographic: world units.
 struct Tangents {

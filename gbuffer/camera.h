@@ -25,6 +25,7 @@ struct Camera {
   double height = 0;                  ///< orthographic: world units that the display window spans vertically; 0: not known
   std::optional<Lens> lens;           ///< where known: positions are made from depth with it
   bool assumed_lens = false;          ///< the lens was taken to be centred, with pixels as the header says: nothing tells it
+  bool recovered = false;             ///< from the positions, rather than stated by a file
   std::string source;                 ///< for people: "worldToCamera of part 0", "recovered from Position", "rig.gltf"
   double residual = -1;               ///< median reprojection error in pixels, where it was measured; else negative
 

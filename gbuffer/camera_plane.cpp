@@ -12,6 +12,7 @@
 #include <glm/geometric.hpp>
 
 #include "gbuffer/camera_refinement.h"
+#include "gbuffer/median.h"
 
 namespace relume {
 namespace {
@@ -68,8 +69,7 @@ double error_of(const Matrix3d& h, const std::vector<Sighting>& sightings, const
     const Vector3d p = h * Vector3d(local.x(), local.y(), 1);
     errors.push_back(std::hypot(film.centre_x + film.unit_x * p.x() / p.z() - s.x, film.centre_y - film.unit_y * p.y() / p.z() - s.y));
   }
-  std::nth_element(errors.begin(), errors.begin() + std::ptrdiff_t(errors.size() / 2), errors.end());
-  return errors[errors.size() / 2];
+  return median(std::move(errors));
 }
 
 /// In units of the film: what makes the plane's axes perpendicular and alike; not positive where it is seen head on.
@@ -154,6 +154,7 @@ std::optional<Camera> camera_of_plane(const std::vector<Sighting>& sightings, co
   }
   set_extent(camera, *camera.lens, display);
   camera.assumed_lens = !lens;
+  camera.recovered = true;
   camera.source = "recovered from one plane";
   return camera;
 }

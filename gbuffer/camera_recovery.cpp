@@ -15,6 +15,7 @@
 #include <random>
 
 #include "gbuffer/camera_refinement.h"
+#include "gbuffer/median.h"
 
 namespace relume {
 namespace {
@@ -26,13 +27,6 @@ using Projection34 = Eigen::Matrix<double, 3, 4>;
 
 Vector3d eigen(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 glm::dvec3 glm_of(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-double median(std::vector<double> values) {
-  if (values.empty()) return std::numeric_limits<double>::infinity();
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Moves and scales points to mean 0 and mean distance sqrt(dimension): without it the system is ill-conditioned (H&Z 4.4.4).
 struct Normaliser {
@@ -245,6 +239,7 @@ Recovery recovered_from(const std::vector<Sighting>& sightings, const Window& di
   Camera camera = camera_of(fit, orthographic, sightings, display);
   refine(camera, sightings);
   set_extent(camera, *camera.lens, display);
+  camera.recovered = true;
   camera.source = "recovered from the positions";
   return {camera, "", false};
 }

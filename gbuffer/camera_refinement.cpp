@@ -13,6 +13,8 @@
 #include <glm/matrix.hpp>
 #include <limits>
 
+#include "gbuffer/median.h"
+
 namespace relume {
 namespace {
 
@@ -34,8 +36,7 @@ class Refiner {
     width_ = std::max(2 * reprojection_error(camera, sightings), 1e-6);  // of the Cauchy weights: about one and a half standard deviations
     std::vector<double> distances;
     for (const Sighting& s : sightings) distances.push_back(glm::distance(s.position, camera.eye()));
-    std::nth_element(distances.begin(), distances.begin() + std::ptrdiff_t(distances.size() / 2), distances.end());
-    unit_ = std::max(distances[distances.size() / 2], std::numeric_limits<double>::min());
+    unit_ = std::max(median(std::move(distances)), std::numeric_limits<double>::min());
   }
 
   bool usable() const { return std::isfinite(width_) && std::isfinite(unit_); }

@@ -71,10 +71,6 @@ struct Sums {
   }
 };
 
-Window intersection(const Window& a, const Window& b) {
-  return {std::max(a.min_x, b.min_x), std::max(a.min_y, b.min_y), std::min(a.max_x, b.max_x), std::min(a.max_y, b.max_y)};
-}
-
 }  // namespace
 
 Comparison compare_images(const std::filesystem::path& image_path, const std::filesystem::path& reference_path) {

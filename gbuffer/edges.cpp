@@ -9,41 +9,28 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
+#include "gbuffer/filtered_layers.h"
+#include "gbuffer/layer_values.h"
+
 namespace relume {
 namespace {
 
 constexpr int reach = 3;                 // pixels: filters rarely reach further than 2
 constexpr double covers_nothing = 1e-4;  // gaussian tails leak 1e-11 into their surroundings
-constexpr double whole_id = 1e-3;        // relative: what single precision and rounding of weights leave of a whole number
-
-Window grown(const Window& window, const Window& limit) {
-  return {std::max(window.min_x - reach, limit.min_x), std::max(window.min_y - reach, limit.min_y), std::min(window.max_x + reach, limit.max_x),
-          std::min(window.max_y + reach, limit.max_y)};
-}
 
 /// The layers that tell, over the window and its surroundings.
 struct Neighbourhood {
   Window window;
   std::vector<float> normals, ids, alpha;  // ids and alpha: empty where the file has none
 
-  Neighbourhood(const ExrFile& file, const Reading& reading, const Window& asked) : window(grown(asked, reading.data_window)) {
-    read(file, reading, "normal", normals);
-    read(file, reading, "ids", ids);
-    read(file, reading, "coverage", alpha);
+  Neighbourhood(const ExrFile& file, const Reading& reading, const Window& asked) : window(grown(asked, reach, reading.data_window)) {
+    const auto values = [&](const char* role) {
+      const auto layer = reading.roles.find(role);
+      return layer == reading.roles.end() ? std::vector<float>() : layer_values(file, layer->second, window);
+    };
+    normals = values("normal"), ids = values("ids"), alpha = values("coverage");
     if (reading.normal_encoding == NormalEncoding::as_unsigned)
       for (float& v : normals) v = v == 0 ? 0 : 2 * v - 1;
-  }
-
-  void read(const ExrFile& file, const Reading& reading, const char* role, std::vector<float>& to) const {
-    const auto found = reading.roles.find(role);
-    if (found == reading.roles.end()) return;
-    const auto& channels = found->second.channels;
-    const std::size_t step = channels.size() * sizeof(float);
-    to.resize(std::size_t(window.pixels()) * channels.size());
-    std::vector<Destination> destinations;
-    for (std::size_t c = 0; c < channels.size(); ++c)
-      destinations.push_back({channels[c], SampleType::float32, to.data() + c, step, step * std::size_t(window.width())});
-    file.read(found->second.part, window, destinations);
   }
 
   std::size_t index(int x, int y) const { return std::size_t(y - window.min_y) * std::size_t(window.width()) + std::size_t(x - window.min_x); }
@@ -55,13 +42,11 @@ struct Neighbourhood {
 
   bool empty(std::size_t i) const { return !(glm::length(normal(i)) >= covers_nothing); }
 
-  bool whole_number(std::size_t i) const { return std::abs(ids[i] - std::round(ids[i])) <= whole_id * std::max(1.0f, std::round(ids[i])); }
-
   /// One surface alone: a mean of several has a short normal or a broken id.
   bool unmixed(std::size_t i) const {
     if (!(std::abs(glm::length(normal(i)) - 1) < 0.01)) return false;
     if (!alpha.empty() && alpha[i] < 0.999f) return false;
-    return ids.empty() || whole_number(i);
+    return ids.empty() || whole_number(ids[i]);
   }
 };
 
@@ -115,7 +100,7 @@ void mend(const Neighbourhood& n, Pixel at, std::size_t out, Edges& edges) {
   const double coverage = n.alpha.empty() ? estimated_coverage(n, i, near) : std::clamp(alpha, 0.0, 1.0);
   edges.coverage[out] = coverage < covers_nothing ? 0 : float(coverage);
   if (n.ids.empty()) return;
-  const double alone = n.whole_number(i) && n.ids[i] > 0.5f ? n.ids[i] : n.ids[i] / std::max(coverage, covers_nothing);
+  const double alone = whole_number(n.ids[i]) && n.ids[i] > 0.5f ? n.ids[i] : n.ids[i] / std::max(coverage, covers_nothing);
   edges.ids[out] = whole(near.like ? n.ids[*near.like] : alone);
 }
 

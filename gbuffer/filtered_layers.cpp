@@ -1,8 +1,6 @@
 // Telling pure pixels from mixed ones.
 #include "gbuffer/filtered_layers.h"
 
-#include "gbuffer/cryptomatte.h"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -10,6 +8,8 @@
 #include <map>
 #include <optional>
 
+#include "gbuffer/cryptomatte.h"
+#include "gbuffer/layer_frame.h"
 #include "gbuffer/sample_rows.h"
 
 namespace relume {
@@ -20,18 +20,6 @@ constexpr double shows_nothing = 1e-4;   // gaussian tails leak 1e-11 into their
 constexpr double short_of_one = 0.985;   // the normals of a ball of 20 pixels' radius differ that much within a filter
 constexpr double whole_id = 1e-3;        // relative: what single precision and rounding of weights leave of a whole number
 constexpr double full_coverage = 0.999;  // half precision next to 1
-
-Window grown(const Window& window, const Window& limit, int by) {
-  return {std::max(window.min_x - by, limit.min_x), std::max(window.min_y - by, limit.min_y), std::min(window.max_x + by, limit.max_x),
-          std::min(window.max_y + by, limit.max_y)};
-}
-
-/// The matrix that picks and flips components.
-glm::dmat3 matrix_of(const Axes& axes) {
-  glm::dmat3 m(0.0);
-  for (int i = 0; i < 3; ++i) m[axes.from[std::size_t(i)]][i] = axes.sign[std::size_t(i)];
-  return m;
-}
 
 /// Takes stored normals to where stored positions live; what cannot be told is left alone.
 glm::dmat3 normal_to_position(const Reading& reading) {
@@ -46,7 +34,7 @@ glm::dmat3 normal_to_position(const Reading& reading) {
 bool whole_number(double id) { return std::abs(id - std::round(id)) <= whole_id * std::max(1.0, std::round(id)); }
 
 FilteredLayers::FilteredLayers(const ExrFile& file, const Reading& reading, const Window& window, const std::vector<std::string>& roles)
-    : window_(grown(window, reading.data_window, reach + filter_radius)), turn_(normal_to_position(reading)) {
+    : window_(grown(window, reach + filter_radius, reading.data_window)), turn_(normal_to_position(reading)) {
   constexpr double of_directions = 0.01, of_numbers = 0.01, of_ids = 0.02, of_alpha = 2e-3, of_places = 1e-3;
   const bool all = reading.position_premultiplied;
   const Mean directions = reading.mean_over_hits ? Mean::direction : Mean::over_pixel;

@@ -22,6 +22,12 @@ dvec3 in_axes(const Axes& axes, const dvec3& stored) {
   return ordered;
 }
 
+glm::dmat3 matrix_of(const Axes& axes) {
+  glm::dmat3 m(0.0);
+  for (int i = 0; i < 3; ++i) m[axes.from[std::size_t(i)]][i] = axes.sign[std::size_t(i)];
+  return m;
+}
+
 std::string text_of(const Axes& axes) {
   std::string text;
   for (std::size_t i = 0; i < 3; ++i) text += std::string(i ? "," : "") + (axes.sign[i] < 0 ? "-" : "") + "xyz"[axes.from[i]];

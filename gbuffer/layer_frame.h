@@ -16,7 +16,10 @@ glm::dmat3 camera_from_view_ray(const glm::dvec3& seen);
 /// Components put in order.
 glm::dvec3 in_axes(const Axes& axes, const glm::dvec3& stored);
 
-/// "x,-y,z" and back.
+/// The same as a matrix.
+glm::dmat3 matrix_of(const Axes& axes);
+
+/// "x,-y,z", as the options take it.
 std::string text_of(const Axes& axes);
 
 class LayerFrame {

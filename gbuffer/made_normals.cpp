@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "gbuffer/layer_frame.h"
+#include "gbuffer/layer_values.h"
 
 namespace relume {
 namespace {
@@ -58,21 +59,6 @@ struct Positions {
   }
 };
 
-Window grown(const Window& window, const Window& limit) {
-  return {std::max(window.min_x - reach, limit.min_x), std::max(window.min_y - reach, limit.min_y), std::min(window.max_x + reach, limit.max_x),
-          std::min(window.max_y + reach, limit.max_y)};
-}
-
-std::vector<float> stored(const ExrFile& file, const RoleLayer& layer, const Window& window) {
-  const std::size_t step = layer.channels.size() * sizeof(float);
-  std::vector<float> values(std::size_t(window.pixels()) * layer.channels.size());
-  std::vector<Destination> destinations;
-  for (std::size_t c = 0; c < layer.channels.size(); ++c)
-    destinations.push_back({layer.channels[c], SampleType::float32, values.data() + c, step, step * std::size_t(window.width())});
-  file.read(layer.part, window, destinations);
-  return values;
-}
-
 }  // namespace
 
 std::vector<dvec3> world_positions(const ExrFile& file, const Reading& reading, const Window& window) {
@@ -80,8 +66,8 @@ std::vector<dvec3> world_positions(const ExrFile& file, const Reading& reading, 
   const dvec3 nothing(std::numeric_limits<double>::quiet_NaN());
   std::vector<dvec3> positions(std::size_t(window.pixels()), nothing);
   std::vector<float> depth, layer;
-  if (reading.roles.contains("depth")) depth = stored(file, reading.roles.at("depth"), window);
-  if (!is_made(reading, "position")) layer = stored(file, reading.roles.at("position"), window);
+  if (reading.roles.contains("depth")) depth = layer_values(file, reading.roles.at("depth"), window);
+  if (!is_made(reading, "position")) layer = layer_values(file, reading.roles.at("position"), window);
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const int x = window.min_x + int(i % std::size_t(window.width())), y = window.min_y + int(i / std::size_t(window.width()));
     if (!depth.empty() && !(std::abs(depth[i]) < reading.background_depth)) continue;
@@ -95,7 +81,7 @@ std::vector<dvec3> world_positions(const ExrFile& file, const Reading& reading, 
 }
 
 void make_normals(const ExrFile& file, const Reading& reading, const Window& window, const NormalPlanes& to) {
-  const Window around = grown(window, reading.data_window);
+  const Window around = grown(window, reach, reading.data_window);
   const Positions positions{around, world_positions(file, reading, around)};
   tbb::parallel_for(window.min_y, window.max_y, [&](int y) {
     std::size_t out = std::size_t(y - window.min_y) * std::size_t(window.width());

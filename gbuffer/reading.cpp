@@ -113,11 +113,7 @@ void set_windows(const ExrFile& file, Reading& reading) {
   reading.display_window = part.display_window;
   reading.pixel_aspect = part.header.pixelAspectRatio();
   Window& window = reading.data_window = part.data_window;
-  for (const auto& [role, layer] : reading.roles) {
-    const Window& other = file.parts()[std::size_t(layer.part)].data_window;
-    window = {std::max(window.min_x, other.min_x), std::max(window.min_y, other.min_y), std::min(window.max_x, other.max_x),
-              std::min(window.max_y, other.max_y)};
-  }
+  for (const auto& [role, layer] : reading.roles) window = intersection(window, file.parts()[std::size_t(layer.part)].data_window);
   if (window.empty()) refuse(file, "part " + std::to_string(reading.part) + ": the layers' data windows have no pixel in common");
 }
 

@@ -64,12 +64,11 @@ void examine(const Patient& patient, std::vector<Check>&, std::vector<Finding>& 
   if (!patient.understood || !patient.has("position")) return;
   const auto& camera = patient.reading.camera;
   if (!camera) return findings.push_back(none());
-  const bool recovered = camera->source.starts_with("recovered");
   if (camera->residual > agreement)
     findings.push_back(contradicted(*camera));
-  else if (recovered && header_states_one(patient))
+  else if (camera->recovered && header_states_one(patient))
     findings.push_back(replaced(*camera));
-  else if (recovered)
+  else if (camera->recovered)
     findings.push_back({"",
                         Severity::hint,
                         "",

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gbuffer/ailments/ailment.h"
+#include "gbuffer/median.h"
 
 namespace relume {
 namespace {
@@ -67,9 +68,7 @@ double share_of(const Meaning& meaning, const std::vector<Sample>& samples) {
 double near_of(const Meaning& meaning, const std::vector<Sample>& samples) {
   std::vector<double> missing;
   for (const Sample& s : samples) missing.push_back(s.distance.z - meaning.expected_z(s.depth, s.distance));
-  const auto middle = missing.begin() + std::ptrdiff_t(missing.size() / 2);
-  std::nth_element(missing.begin(), middle, missing.end());
-  return *middle;
+  return median(std::move(missing));
 }
 
 struct Fit {
