@@ -135,6 +135,28 @@ int shade(const ShadeArguments& arguments) {
   return 0;
 }
 
+void add_rig_options(CLI::App& command, ShadeArguments& a) {
+  const char* rig = "What a glTF rig does not say";
+  command.add_option("--rig-units", a.units, "units of Blender's exporter")->check(CLI::IsMember({"spec", "compat", "raw"}))->group(rig);
+  command.add_option("--rig-up", a.up, "the axis that points up in the rig")->check(CLI::IsMember({"y", "z"}))->group(rig);
+  command.add_option("--rig-scale", a.scale, "units of the G-buffer in one of the rig's (100: metres to centimetres); auto: told by its camera")
+      ->capture_default_str()
+      ->group(rig);
+  command.add_option("--rig-range", a.range, "what to do with lights' ranges")->check(CLI::IsMember({"obey", "ignore"}))->group(rig);
+}
+
+void add_output_options(CLI::App& command, ShadeArguments& a) {
+  const char* out = "Output";
+  const auto half = command.add_flag("--half", a.half, "16-bit samples")->group(out);
+  command.add_flag("--float", a.full, "32-bit samples (default)")->excludes(half)->group(out);
+  command.add_option("--compression", a.compression, "EXR codec")->check(CLI::IsMember(compression_names()))->capture_default_str()->group(out);
+  command.add_option("--png", a.png, "a picture to look at as well (sRGB)")->group(out);
+  command.add_option("--exposure", a.exposure, "stops, of the PNG")->group(out);
+  command.add_flag("--overwrite", a.overwrite, "replace an existing output")->group(out);
+  command.add_flag("--quiet", a.quiet, "no progress bar, notes or summary")->group(out);
+  command.add_flag("--json", a.json, "a summary for programs on stdout")->group(out);
+}
+
 }  // namespace
 
 void add_shade(CLI::App& command, Action& action) {
@@ -156,22 +178,8 @@ void add_shade(CLI::App& command, Action& action) {
       ->check(CLI::IsMember({"mend", "as-stored"}))
       ->capture_default_str();
   a->reading.add_to(command);
-  const char* rig = "What a glTF rig does not say";
-  command.add_option("--rig-units", a->units, "units of Blender's exporter")->check(CLI::IsMember({"spec", "compat", "raw"}))->group(rig);
-  command.add_option("--rig-up", a->up, "the axis that points up in the rig")->check(CLI::IsMember({"y", "z"}))->group(rig);
-  command.add_option("--rig-scale", a->scale, "units of the G-buffer in one of the rig's (100: metres to centimetres); auto: told by its camera")
-      ->capture_default_str()
-      ->group(rig);
-  command.add_option("--rig-range", a->range, "what to do with lights' ranges")->check(CLI::IsMember({"obey", "ignore"}))->group(rig);
-  const char* out = "Output";
-  const auto half = command.add_flag("--half", a->half, "16-bit samples")->group(out);
-  command.add_flag("--float", a->full, "32-bit samples (default)")->excludes(half)->group(out);
-  command.add_option("--compression", a->compression, "EXR codec")->check(CLI::IsMember(compression_names()))->capture_default_str()->group(out);
-  command.add_option("--png", a->png, "a picture to look at as well (sRGB)")->group(out);
-  command.add_option("--exposure", a->exposure, "stops, of the PNG")->group(out);
-  command.add_flag("--overwrite", a->overwrite, "replace an existing output")->group(out);
-  command.add_flag("--quiet", a->quiet, "no progress bar, notes or summary")->group(out);
-  command.add_flag("--json", a->json, "a summary for programs on stdout")->group(out);
+  add_rig_options(command, *a);
+  add_output_options(command, *a);
   command.add_option("--device", a->device,
                      "cpu, gpu, twin (C++, no OpenCL), an index, or part of a platform's or device's name; default: the best there is");
   command.add_option("--memory", a->memory, "for the planes of a band; larger frames go through in bands")->capture_default_str();

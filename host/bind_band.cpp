@@ -162,57 +162,64 @@ void Binding::solve_cycles_surfaces(GBuffer& gbuffer, const Camera& camera) cons
   });
 }
 
+namespace {
+
+/// Where each material takes a parameter from.
+std::vector<FieldSource> sources_of(const std::vector<BoundMaterial>& materials, const Parameter& parameter) {
+  static const std::map<int, FieldSource> solved{{FIELD_base_color, {{}, "solved:base_color", {}, {}}},
+                                                 {FIELD_metallic, {{}, "solved:metallic", {}, {}}},
+                                                 {FIELD_specular_level, {{}, "solved:specular_level", {}, {}}}};
+  const FieldSource fallback{{parameter.fallback}, {}, {}, {}};
+  std::vector<FieldSource> sources;
+  for (const BoundMaterial& m : materials) {
+    const auto found = m.fields.find(parameter.field);
+    const auto from_solution = m.solve_cycles ? solved.find(parameter.field) : solved.end();
+    sources.push_back(from_solution != solved.end() ? from_solution->second : found == m.fields.end() ? fallback : found->second);
+  }
+  return sources;
+}
+
+/// A constant for all pixels, a layer's planes as they lie, or planes filled for each pixel's material.
+Field field_of(const std::vector<FieldSource>& sources, const Parameter& parameter, const std::vector<int>& material, GBuffer& gbuffer,
+               Constants& constants) {
+  const auto same_constant = [&](const FieldSource& s) {
+    return s.is_constant() && s.constant == sources[0].constant && s.convert == sources[0].convert;
+  };
+  if (std::all_of(sources.begin(), sources.end(), same_constant)) return constants.place(constant_of(sources[0]));
+  std::vector<Reader> readers;
+  for (const FieldSource& source : sources) readers.emplace_back(gbuffer, source, parameter);
+  if (readers.size() == 1)
+    if (const auto in_place = readers[0].in_place()) return *in_place;
+  const int first = gbuffer.planes.add(parameter.components);
+  for_pixels(gbuffer.samples(), [&](Pixel i) {
+    const int m = material[std::size_t(i)];
+    if (m < 0) return;
+    for (int c = 0; c < parameter.components; ++c) gbuffer.planes.plane(first + c)[i] = readers[std::size_t(m)].value(i, c);
+  });
+  return {int(gbuffer.planes.stride()) * first, 1, int(gbuffer.planes.stride())};
+}
+
+Field facing_of(const std::vector<BoundMaterial>& materials, const std::vector<int>& material, GBuffer& gbuffer, Constants& constants) {
+  const auto alike = [&](const BoundMaterial& m) { return m.facing == materials[0].facing; };
+  if (std::all_of(materials.begin(), materials.end(), alike)) return constants.place({double(materials[0].facing)});
+  const int plane = gbuffer.planes.add();
+  for_pixels(gbuffer.samples(), [&](Pixel i) {
+    const int m = material[std::size_t(i)];
+    gbuffer.planes.plane(plane)[i] = m < 0 ? 0.0f : float(materials[std::size_t(m)].facing);
+  });
+  return {int(gbuffer.planes.stride()) * plane, 1, 0};
+}
+
+}  // namespace
+
 void Binding::bind(GBuffer& gbuffer, const Camera& camera, Frame& frame) const {
   const std::vector<int> material = materials_of_pixels(gbuffer);
   fill_program_plane(gbuffer, material, frame);
   solve_cycles_surfaces(gbuffer, camera);
   Constants constants(gbuffer.planes);
-  const std::map<int, FieldSource> solved{{FIELD_base_color, {{}, "solved:base_color", {}, {}}},
-                                          {FIELD_metallic, {{}, "solved:metallic", {}, {}}},
-                                          {FIELD_specular_level, {{}, "solved:specular_level", {}, {}}}};
-  for (const Parameter& parameter : parameters()) {
-    const FieldSource fallback{{parameter.fallback}, {}, {}, {}};
-    std::vector<FieldSource> sources;
-    for (const BoundMaterial& m : materials_) {
-      const auto found = m.fields.find(parameter.field);
-      const auto from_solution = m.solve_cycles ? solved.find(parameter.field) : solved.end();
-      sources.push_back(from_solution != solved.end() ? from_solution->second : found == m.fields.end() ? fallback : found->second);
-    }
-    Field& field = frame.field[parameter.field];
-    const auto same_constant = [&](const FieldSource& s) {
-      return s.is_constant() && s.constant == sources[0].constant && s.convert == sources[0].convert;
-    };
-    if (std::all_of(sources.begin(), sources.end(), same_constant)) {
-      field = constants.place(constant_of(sources[0]));
-      continue;
-    }
-    std::vector<Reader> readers;
-    for (const FieldSource& source : sources) readers.emplace_back(gbuffer, source, parameter);
-    if (readers.size() == 1)
-      if (const auto in_place = readers[0].in_place()) {
-        field = *in_place;
-        continue;
-      }
-    const int first = gbuffer.planes.add(parameter.components);
-    for_pixels(gbuffer.samples(), [&](Pixel i) {
-      const int m = material[std::size_t(i)];
-      if (m < 0) return;
-      for (int c = 0; c < parameter.components; ++c) gbuffer.planes.plane(first + c)[i] = readers[std::size_t(m)].value(i, c);
-    });
-    field = {int(gbuffer.planes.stride()) * first, 1, int(gbuffer.planes.stride())};
-  }
-
-  const bool one_facing = std::all_of(materials_.begin(), materials_.end(), [&](const BoundMaterial& m) { return m.facing == materials_[0].facing; });
-  if (one_facing) {
-    frame.field[FIELD_facing] = constants.place({double(materials_[0].facing)});
-  } else {
-    const int plane = gbuffer.planes.add();
-    for_pixels(gbuffer.samples(), [&](Pixel i) {
-      const int m = material[std::size_t(i)];
-      gbuffer.planes.plane(plane)[i] = m < 0 ? 0.0f : float(materials_[std::size_t(m)].facing);
-    });
-    frame.field[FIELD_facing] = {int(gbuffer.planes.stride()) * plane, 1, 0};
-  }
+  for (const Parameter& parameter : parameters())
+    frame.field[parameter.field] = field_of(sources_of(materials_, parameter), parameter, material, gbuffer, constants);
+  frame.field[FIELD_facing] = facing_of(materials_, material, gbuffer, constants);
   frame.field[FIELD_coverage] =
       gbuffer.fractional_coverage ? Field{int(gbuffer.planes.stride()) * gbuffer.coverage.first, 1, 0} : constants.place({1.0});
 }

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "gbuffer/convention.h"
 #include "gbuffer/error.h"
 #include "gbuffer/gbuffer.h"
 #include "gbuffer/picture.h"
 #include "gbuffer/watched.h"
+#include "host/band_shading.h"
 #include "host/binding.h"
 #include "host/camera_choice.h"
 #include "host/device.h"
@@ -60,16 +60,11 @@ class Relight {
   void open();
   std::unique_ptr<Device> open_tested_device();
   void shade_and_write();
-  void shade_band(GBuffer& gbuffer, Planes& out);
-  void shade_programs(Band& band, Frame& frame, const Progress& report) const;
-  void shade_lights(Band& band, Frame frame);
-  void add_linked(const GBuffer& gbuffer, Planes& out, const Frame& bound);
-  int linked_planes() const;
-  void aim(Frame& frame, std::size_t group) const;
   std::vector<std::pair<std::string, std::string>> metadata() const;
   void write_alpha(const GBuffer& gbuffer, Planes& out) const;
-  Frame frame_of(const GBuffer& gbuffer, const Planes& out) const;
+  bool ambient_is_a_share() const;
   glm::dvec3 mean_irradiance();
+  void shade_band(GBuffer& gbuffer, Planes& out);
   int band_rows(const Window& window) const;
   GBuffer read_band(const Window& band);
   void keep_for_png(const Planes& out, const Window& band, Picture& picture) const;
@@ -92,8 +87,8 @@ class Relight {
   std::vector<std::string> roles_;
   OutputLayout layout_;
   std::unique_ptr<Device> device_;
+  std::optional<BandShading> shading_;
   Window window_;
-  std::vector<glm::dvec3> ambient_;  ///< of each group of lights, W/(m^2 sr)
   MixedPixels mixed_pixels_;
 };
 
@@ -166,6 +161,7 @@ void Relight::open() {
   device_ = open_tested_device();
   summary_.device = device_->info().name;
   layout_ = layout_of(job_, *lights_);
+  shading_.emplace(*device_, *binding_, *lights_, layout_, reading_);
   watch_.lap("compile");
 }
 
@@ -173,7 +169,7 @@ void Relight::open() {
 int Relight::band_rows(const Window& window) const {
   std::int64_t in = 3 + 3 + 3 + 1 + 1 + binding_->spare_planes();
   for (const std::string& role : roles_) in += is_made(reading_, role) ? 3 : std::int64_t(reading_.roles.at(role).channels.size());
-  const std::int64_t out = layout_.planes() + linked_planes();
+  const std::int64_t out = shading_->planes();
   const int samples = reading_.filtered ? Mixtures::most_surfaces : 1;
   const std::int64_t largest = std::max(in, out), row = window.width() * std::int64_t(sizeof(float)) * samples;
   const std::int64_t by_memory = job_.memory / ((in + out) * row),
@@ -196,101 +192,6 @@ GBuffer Relight::read_band(const Window& band) {
   return read_gbuffer(file_, reading_, band, roles_, binding_->spare_planes(), mixtures);
 }
 
-Frame Relight::frame_of(const GBuffer& gbuffer, const Planes& out) const {
-  Frame frame{};
-  frame.pixels = int(gbuffer.samples());
-  frame.plane_stride = int(gbuffer.planes.stride());
-  frame.position = gbuffer.position.first;
-  frame.normal = gbuffer.normal.first;
-  frame.base_normal = gbuffer.base_normal.count ? gbuffer.base_normal.first : -1;
-  frame.bump_shadowing = gbuffer.base_normal.count ? int(reading_.bump_shadowing) : int(BUMP_none);
-  const Camera& camera = *reading_.camera;
-  const bool orthographic = camera.projection == Camera::Projection::orthographic;
-  const glm::dvec3 viewer = orthographic ? camera.backward() : camera.eye();
-  for (int c = 0; c < 3; ++c) frame.viewer[c] = float(viewer[c]);
-  frame.viewer[3] = orthographic ? 0.0f : 1.0f;
-  frame.nodes = binding_->ambient_nodes_begin();
-  frame.node_count = binding_->ambient_node_count();
-  frame.out_stride = int(out.stride());
-  frame.total = OutputLayout::total;
-  frame.diffuse = layout_.diffuse;
-  frame.specular = layout_.specular;
-  frame.ambient_out = layout_.ambient;
-  return frame;
-}
-
-/// Planes behind the layout's own: the colours of each linked group of lights.
-int Relight::linked_planes() const { return int(lights_->groups().size() - 1) * layout_.colours() * 3; }
-
-/// The lights of a group, and where their light goes: the first's into the layout's own planes, each other's behind them.
-void Relight::aim(Frame& frame, std::size_t g) const {
-  const LightGroup& group = lights_->groups()[g];
-  std::copy(group.begin.begin(), group.begin.end(), frame.light_begin);
-  const glm::dvec3 ambient = ambient_.empty() ? glm::dvec3(0) : ambient_[g];
-  for (int c = 0; c < 3; ++c) frame.ambient[c] = float(ambient[c]);
-  frame.ambient[3] = ambient == glm::dvec3(0) ? 0.0f : 1.0f;
-  if (g == 0) return;
-  int next = layout_.planes() + int(g - 1) * layout_.colours() * 3;
-  for (int* plane : {&frame.total, &frame.diffuse, &frame.specular, &frame.ambient_out})
-    if (*plane >= 0) *plane = std::exchange(next, next + 3);
-}
-
-void Relight::shade_band(GBuffer& gbuffer, Planes& out) {
-  Frame bound = frame_of(gbuffer, out);
-  binding_->bind(gbuffer, *reading_.camera, bound);
-  watch_.lap("bind");
-  const auto band = device_->bind({&gbuffer.planes, lights_->records(), binding_->tables(), &out});
-  const double rounds = double(binding_->programs().size() * lights_->groups().size()), all = double(window_.pixels()) * rounds;
-  const double before = double(gbuffer.window.min_y - window_.min_y) * window_.width() * rounds;
-  double done = 0;
-  const Progress report = [&](std::int64_t pixels) { progress("shade", (before + (done += double(pixels))) / all); };
-  for (std::size_t g = 0; g < lights_->groups().size(); ++g) {
-    Frame frame = bound;
-    aim(frame, g);
-    shade_programs(*band, frame, report);
-  }
-  if (layout_.lights >= 0) shade_lights(*band, bound);
-  band->finish();
-  watch_.lap("shade");
-  add_linked(gbuffer, out, bound);
-}
-
-void Relight::shade_programs(Band& band, Frame& frame, const Progress& report) const {
-  for (std::size_t p = 0; p < binding_->programs().size(); ++p) {
-    frame.program = int(p);
-    frame.width_rule = binding_->width_rule(int(p));
-    band.shade(binding_->programs()[p], frame, report);
-  }
-}
-
-/// Linked groups' light, by the share that their objects have of each pixel.
-void Relight::add_linked(const GBuffer& gbuffer, Planes& out, const Frame& bound) {
-  for (std::size_t g = 1; g < lights_->groups().size(); ++g) {
-    const LightGroup& group = lights_->groups()[g];
-    const std::vector<float> weights = weights_of(group, gbuffer);
-    Frame aimed = bound;
-    aim(aimed, g);
-    add_weighed(out, aimed.total, bound.total, weights);
-    for (const auto plane : {&Frame::diffuse, &Frame::specular, &Frame::ambient_out})
-      if (bound.*plane >= 0) add_weighed(out, aimed.*plane, bound.*plane, weights);
-    if (layout_.lights >= 0)
-      for (int k = group.begin.front(); k < group.begin.back(); ++k) weigh(out, layout_.lights + 3 * k, weights);
-  }
-  if (lights_->groups().size() > 1) watch_.lap("link");
-}
-
-/// Each light alone, into its own layer.
-void Relight::shade_lights(Band& band, Frame frame) {
-  frame.diffuse = frame.specular = frame.ambient_out = -1;
-  frame.ambient[3] = 0;
-  for (int k = 0; k < int(lights_->records().size()); ++k) {
-    const LightGroup& group = lights_->group_of(k);
-    for (int type = 0; type <= LIGHT_COUNT; ++type) frame.light_begin[type] = group.begin[std::size_t(type)] <= k ? k : k + 1;
-    frame.total = layout_.lights + 3 * k;
-    shade_programs(band, frame, [&](std::int64_t) { progress("shade", 1); });
-  }
-}
-
 /// The input's own alpha where it has one that is a number, else the coverage.
 void Relight::write_alpha(const GBuffer& gbuffer, Planes& out) const {
   const auto stored = gbuffer.roles.find("coverage");
@@ -299,35 +200,20 @@ void Relight::write_alpha(const GBuffer& gbuffer, Planes& out) const {
   for (std::int64_t i = 0; i < gbuffer.samples(); ++i) out.plane(OutputLayout::alpha)[i] = std::isfinite(alpha[i]) ? alpha[i] : coverage[i];
 }
 
-/// The frame's mean direct diffuse irradiance: every surface shaded as Lambert with albedo pi. Of the whole frame: a crop looks the same.
+bool Relight::ambient_is_a_share() const {
+  return std::any_of(lights_->groups().begin(), lights_->groups().end(), [](const LightGroup& g) { return g.ambient_fraction != 0; });
+}
+
+/// Of the whole frame: a crop looks the same.
 glm::dvec3 Relight::mean_irradiance() {
-  glm::dvec3 sum{0};
-  double surface = 0;
+  BandShading::Irradiance irradiance;
   const Window& whole = reading_.data_window;
   const int rows = band_rows(whole);
   for (int row = whole.min_y; row < whole.max_y; row += rows) {
     GBuffer gbuffer = read_gbuffer(file_, reading_, rows_of(whole, row, rows), roles_, binding_->spare_planes());
-    const int groups = int(lights_->groups().size());
-    Planes out(std::size_t(gbuffer.window.pixels()), 3 * groups);
-    out.add(3 * groups);
-    Frame frame = frame_of(gbuffer, out);
-    frame.diffuse = frame.specular = frame.ambient_out = -1;
-    frame.program = 0;
-    binding_->bind_irradiance(gbuffer, frame);
-    const auto band = device_->bind({&gbuffer.planes, lights_->records(), binding_->tables(), &out});
-    for (int g = 0; g < groups; ++g) {
-      std::copy(lights_->groups()[std::size_t(g)].begin.begin(), lights_->groups()[std::size_t(g)].begin.end(), frame.light_begin);
-      frame.total = 3 * g;
-      band->shade({DIFFUSE_lambert, SPECULAR_none, 0, 0, 0}, frame,
-                  [&](std::int64_t) { progress("ambient", double(row - whole.min_y) / whole.height()); });
-    }
-    band->finish();
-    for (int g = 1; g < groups; ++g) add_weighed(out, 3 * g, 0, weights_of(lights_->groups()[std::size_t(g)], gbuffer));
-    for (int c = 0; c < 3; ++c)
-      for (std::int64_t i = 0; i < gbuffer.window.pixels(); ++i) sum[c] += out.plane(c)[i];
-    surface += double(gbuffer.surface_pixels);
+    shading_->add_irradiance(gbuffer, irradiance, [&](std::int64_t) { progress("ambient", double(row - whole.min_y) / whole.height()); });
   }
-  return surface > 0 ? sum / surface : sum;
+  return irradiance.mean();
 }
 
 void Relight::keep_for_png(const Planes& out, const Window& band, Picture& picture) const {
@@ -345,10 +231,14 @@ std::vector<std::pair<std::string, std::string>> Relight::metadata() const {
   return texts;
 }
 
+void Relight::shade_band(GBuffer& gbuffer, Planes& out) {
+  const double all = double(window_.pixels()) * shading_->rounds();
+  double done = double(gbuffer.window.min_y - window_.min_y) * window_.width() * shading_->rounds();
+  shading_->shade(gbuffer, out, watch_, [&](std::int64_t pixels) { progress("shade", std::min((done += double(pixels)) / all, 1.0)); });
+}
+
 void Relight::shade_and_write() {
-  const bool shares = std::any_of(lights_->groups().begin(), lights_->groups().end(), [](const LightGroup& g) { return g.ambient_fraction != 0; });
-  const glm::dvec3 mean = shares ? mean_irradiance() : glm::dvec3(0);
-  for (const LightGroup& group : lights_->groups()) ambient_.push_back(group.ambient + group.ambient_fraction / std::numbers::pi * mean);
+  shading_->set_ambient(ambient_is_a_share() ? mean_irradiance() : glm::dvec3(0));
   const Part& part = file_.parts()[std::size_t(reading_.part)];
   ExrWriter writer(job_.output, job_.format, part.header, window_, reading_.display_window, layout_.channels, metadata());
   Picture picture;
@@ -362,8 +252,8 @@ void Relight::shade_and_write() {
     summary_.surface_pixels += gbuffer.surface_pixels;
     summary_.bad_pixels += gbuffer.bad_pixels;
     ++summary_.bands;
-    Planes out(std::size_t(gbuffer.samples()), layout_.planes() + linked_planes());
-    out.add(layout_.planes() + linked_planes());
+    Planes out(std::size_t(gbuffer.samples()), shading_->planes());
+    out.add(shading_->planes());
     shade_band(gbuffer, out);
     write_alpha(gbuffer, out);
     fold_surfaces(gbuffer, out);

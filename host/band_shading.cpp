@@ -1,0 +1,124 @@
+// Frames of a band for the kernels, and linked groups' light put together.
+#include "host/band_shading.h"
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+namespace relume {
+
+Frame BandShading::frame_of(const GBuffer& gbuffer, const Planes& out) const {
+  Frame frame{};
+  frame.pixels = int(gbuffer.samples());
+  frame.plane_stride = int(gbuffer.planes.stride());
+  frame.position = gbuffer.position.first;
+  frame.normal = gbuffer.normal.first;
+  frame.base_normal = gbuffer.base_normal.count ? gbuffer.base_normal.first : -1;
+  frame.bump_shadowing = gbuffer.base_normal.count ? int(reading_.bump_shadowing) : int(BUMP_none);
+  const Camera& camera = *reading_.camera;
+  const bool orthographic = camera.projection == Camera::Projection::orthographic;
+  const glm::dvec3 viewer = orthographic ? camera.backward() : camera.eye();
+  for (int c = 0; c < 3; ++c) frame.viewer[c] = float(viewer[c]);
+  frame.viewer[3] = orthographic ? 0.0f : 1.0f;
+  frame.nodes = binding_.ambient_nodes_begin();
+  frame.node_count = binding_.ambient_node_count();
+  frame.out_stride = int(out.stride());
+  frame.total = OutputLayout::total;
+  frame.diffuse = layout_.diffuse;
+  frame.specular = layout_.specular;
+  frame.ambient_out = layout_.ambient;
+  return frame;
+}
+
+void BandShading::add_irradiance(GBuffer& gbuffer, Irradiance& irradiance, const Progress& progress) const {
+  const std::vector<LightGroup>& groups = lights_.groups();
+  Planes out(std::size_t(gbuffer.window.pixels()), 3 * int(groups.size()));
+  out.add(3 * int(groups.size()));
+  Frame frame = frame_of(gbuffer, out);
+  frame.diffuse = frame.specular = frame.ambient_out = -1;
+  frame.program = 0;
+  binding_.bind_irradiance(gbuffer, frame);
+  const auto band = device_.bind({&gbuffer.planes, lights_.records(), binding_.tables(), &out});
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    std::copy(groups[g].begin.begin(), groups[g].begin.end(), frame.light_begin);
+    frame.total = 3 * int(g);
+    band->shade({DIFFUSE_lambert, SPECULAR_none, 0, 0, 0}, frame, progress);
+  }
+  band->finish();
+  for (std::size_t g = 1; g < groups.size(); ++g) add_weighed(out, 3 * int(g), 0, weights_of(groups[g], gbuffer));
+  for (int c = 0; c < 3; ++c)
+    for (std::int64_t i = 0; i < gbuffer.window.pixels(); ++i) irradiance.sum[c] += out.plane(c)[i];
+  irradiance.surface_pixels += double(gbuffer.surface_pixels);
+}
+
+void BandShading::set_ambient(const glm::dvec3& mean_irradiance) {
+  ambient_.clear();
+  for (const LightGroup& group : lights_.groups()) ambient_.push_back(group.ambient + group.ambient_fraction / std::numbers::pi * mean_irradiance);
+}
+
+void BandShading::shade(GBuffer& gbuffer, Planes& out, Stopwatch& watch, const Progress& progress) const {
+  Frame bound = frame_of(gbuffer, out);
+  binding_.bind(gbuffer, *reading_.camera, bound);
+  watch.lap("bind");
+  const auto band = device_.bind({&gbuffer.planes, lights_.records(), binding_.tables(), &out});
+  for (std::size_t g = 0; g < lights_.groups().size(); ++g) {
+    Frame frame = bound;
+    aim(frame, g);
+    shade_programs(*band, frame, progress);
+  }
+  if (layout_.lights >= 0) shade_lights(*band, bound, progress);
+  band->finish();
+  watch.lap("shade");
+  if (lights_.groups().size() == 1) return;
+  add_linked(gbuffer, out, bound);
+  watch.lap("link");
+}
+
+/// The lights of a group, and where their light goes: the first's into the layout's own planes, each other's behind them.
+void BandShading::aim(Frame& frame, std::size_t g) const {
+  const LightGroup& group = lights_.groups()[g];
+  std::copy(group.begin.begin(), group.begin.end(), frame.light_begin);
+  for (int c = 0; c < 3; ++c) frame.ambient[c] = float(ambient_[g][c]);
+  frame.ambient[3] = ambient_[g] == glm::dvec3(0) ? 0.0f : 1.0f;
+  if (g == 0) return;
+  int next = layout_.planes() + int(g - 1) * layout_.colours() * 3;
+  for (int* plane : {&frame.total, &frame.diffuse, &frame.specular, &frame.ambient_out})
+    if (*plane >= 0) *plane = std::exchange(next, next + 3);
+}
+
+void BandShading::shade_programs(Band& band, Frame& frame, const Progress& progress) const {
+  for (std::size_t p = 0; p < binding_.programs().size(); ++p) {
+    frame.program = int(p);
+    frame.width_rule = binding_.width_rule(int(p));
+    band.shade(binding_.programs()[p], frame, progress);
+  }
+}
+
+/// Each light alone, into its own layer.
+void BandShading::shade_lights(Band& band, Frame frame, const Progress& progress) const {
+  frame.diffuse = frame.specular = frame.ambient_out = -1;
+  frame.ambient[3] = 0;
+  for (int k = 0; k < int(lights_.records().size()); ++k) {
+    const LightGroup& group = lights_.group_of(k);
+    for (int type = 0; type <= LIGHT_COUNT; ++type) frame.light_begin[type] = group.begin[std::size_t(type)] <= k ? k : k + 1;
+    frame.total = layout_.lights + 3 * k;
+    shade_programs(band, frame, progress);
+  }
+}
+
+/// Linked groups' light, by the share that their objects have of each pixel.
+void BandShading::add_linked(const GBuffer& gbuffer, Planes& out, const Frame& bound) const {
+  for (std::size_t g = 1; g < lights_.groups().size(); ++g) {
+    const LightGroup& group = lights_.groups()[g];
+    const std::vector<float> weights = weights_of(group, gbuffer);
+    Frame aimed = bound;
+    aim(aimed, g);
+    add_weighed(out, aimed.total, bound.total, weights);
+    for (const auto plane : {&Frame::diffuse, &Frame::specular, &Frame::ambient_out})
+      if (bound.*plane >= 0) add_weighed(out, aimed.*plane, bound.*plane, weights);
+    if (layout_.lights >= 0)
+      for (int k = group.begin.front(); k < group.begin.back(); ++k) weigh(out, layout_.lights + 3 * k, weights);
+  }
+}
+
+}  // namespace relume

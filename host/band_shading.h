@@ -1,0 +1,57 @@
+// The light of a band's pixels: every program under every group of lights, then each light alone where its layer is wanted.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "gbuffer/gbuffer.h"
+#include "host/binding.h"
+#include "host/device.h"
+#include "host/light_links.h"
+#include "host/output_layout.h"
+#include "host/stopwatch.h"
+
+namespace relume {
+
+class BandShading {
+ public:
+  /// All of them outlive it.
+  BandShading(Device& device, const Binding& binding, const LightLinks& lights, const OutputLayout& layout, const Reading& reading)
+      : device_(device), binding_(binding), lights_(lights), layout_(layout), reading_(reading) {}
+
+  /// Planes of `out` that shade() needs: the layout's own, and behind them the colours of each linked group of lights.
+  int planes() const { return layout_.planes() + linked_planes(); }
+
+  /// Adds a band's irradiance, pixel by pixel, to what a mean is made of: every surface is shaded as Lambert with albedo pi.
+  struct Irradiance {
+    glm::dvec3 sum{0};
+    double surface_pixels = 0;
+    glm::dvec3 mean() const { return surface_pixels > 0 ? sum / surface_pixels : sum; }
+  };
+  void add_irradiance(GBuffer& gbuffer, Irradiance& irradiance, const Progress& progress) const;
+
+  /// Each group's ambient radiance, W/(m^2 sr), where ambient lights may be shares of the frame's mean direct irradiance. Before shade().
+  void set_ambient(const glm::dvec3& mean_irradiance);
+
+  /// Shades a band into planes() planes of `out`; laps "bind", "shade" and "link". `progress` counts pixels times rounds().
+  void shade(GBuffer& gbuffer, Planes& out, Stopwatch& watch, const Progress& progress) const;
+  /// How often each pixel is shaded for the total.
+  double rounds() const { return double(binding_.programs().size() * lights_.groups().size()); }
+
+ private:
+  int linked_planes() const { return int(lights_.groups().size() - 1) * layout_.colours() * 3; }
+  Frame frame_of(const GBuffer& gbuffer, const Planes& out) const;
+  void aim(Frame& frame, std::size_t group) const;
+  void shade_programs(Band& band, Frame& frame, const Progress& progress) const;
+  void shade_lights(Band& band, Frame frame, const Progress& progress) const;
+  void add_linked(const GBuffer& gbuffer, Planes& out, const Frame& bound) const;
+
+  Device& device_;
+  const Binding& binding_;
+  const LightLinks& lights_;
+  const OutputLayout& layout_;
+  const Reading& reading_;
+  std::vector<glm::dvec3> ambient_;  ///< of each group
+};
+
+}  // namespace relume
