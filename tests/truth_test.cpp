@@ -2,21 +2,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "tests/channels.h"
+#include "tests/psnr.h"
 #include "tests/run_program.h"
 
 namespace relume {
 namespace {
 
 namespace fs = std::filesystem;
-using Rgb = std::array<std::vector<float>, 3>;
 
 /// The whole corpus where it lies beside the project, else the few cases that the project keeps.
 const fs::path corpus = fs::exists(RELUME_CORPUS) ? fs::path(RELUME_CORPUS) : fs::path(RELUME_SOURCE) / "tests/data/corpus";
@@ -31,10 +29,6 @@ std::vector<fs::path> cases_of(const std::string& renderer) {
   return cases;
 }
 
-Rgb rgb_of(const Channels& channels, const std::string& prefix = "") {
-  return {channels.at(prefix + "R"), channels.at(prefix + "G"), channels.at(prefix + "B")};
-}
-
 Rgb product(const Rgb& a, const Rgb& b) {
   Rgb c = a;
   for (int k = 0; k < 3; ++k)
@@ -47,24 +41,6 @@ Rgb sum(const Rgb& a, const Rgb& b) {
   for (int k = 0; k < 3; ++k)
     for (std::size_t i = 0; i < c[k].size(); ++i) c[k][i] += b[k][i];
   return c;
-}
-
-/// dB over the pixels chosen; peak = the 99.9th percentile of the reference there. -1 where the reference is black.
-double psnr(const Rgb& image, const Rgb& reference, const std::vector<bool>& chosen) {
-  std::vector<float> values;
-  double squares = 0;
-  for (int k = 0; k < 3; ++k)
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-      if (!chosen[i]) continue;
-      values.push_back(reference[k][i]);
-      const double error = double(image[k][i]) - reference[k][i];
-      squares += error * error;
-    }
-  if (values.empty()) return -1;
-  const auto rank = values.begin() + std::ptrdiff_t(double(values.size() - 1) * 0.999);
-  std::nth_element(values.begin(), rank, values.end());
-  const double peak = *rank;
-  return peak > 0 ? -10 * std::log10(squares / double(values.size()) / (peak * peak)) : -1;
 }
 
 /// Shades into `folder` and reads the result; fails the test and returns nothing where the program did not exit 0.
