@@ -136,7 +136,8 @@ void place(const Mixtures& mixtures, const Reading& reading, GBuffer& g, LooseLa
     const Mixtures::Sample& sample = mixtures.samples[k];
     const std::size_t home = std::size_t(sample.pixel), at = mixtures.first_of_pixel(k) ? home : extra++;
     for (const auto& [role, range] : g.roles)  // what a mixture does not tell apart (a Cryptomatte's ids, a made albedo) stays the pixel's
-      for (int c = 0; c < range.count; ++c) g.planes.plane(range.first + c)[at] = g.planes.plane(range.first + c)[home];
+      for (int c = 0; c < range.count && role != "coverage"; ++c)  // the stored alpha is the whole pixel's, and counts once
+        g.planes.plane(range.first + c)[at] = g.planes.plane(range.first + c)[home];
     place_sample(mixtures, k, at, reading, g);
     loose.coverage[at] = sample.coverage;
     if (!loose.ids.empty()) loose.ids[at] = sample.id;

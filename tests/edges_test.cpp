@@ -86,9 +86,10 @@ struct MadeUp {
   Rgb reference;
   std::vector<bool> edges;
 
-  explicit MadeUp(Manner manner) {
+  explicit MadeUp(Manner manner, std::initializer_list<const char*> more = {}) {
     MadeUpGBuffer made = MadeUpGBuffer::of_size(width, height);
     made.with({"albedo.R", "albedo.G", "albedo.B"});
+    made.with(more);
     MadeUpGBuffer fine = made;
     fine.data = fine.display = {0, 0, finer * width, finer * height};
     made.pixel = [=](int x, int y, ScenePixel& pixel) { pixel = filtered(made, manner, x, y); };
@@ -158,6 +159,15 @@ TEST_P(MadeUpEdges, KeepLayersThatAddUp) {
       const float sum = image.at(std::string("diffuse.") + c)[i] + image.at(std::string("specular.") + c)[i];
       ASSERT_NEAR(image.at(c)[i], sum, 1e-5f * (1 + sum));
     }
+}
+
+TEST_P(MadeUpEdges, KeepTheirAlpha) {
+  const MadeUp scene(GetParam(), {"R", "G", "B", "A"});
+  for (const char* edges : {"mend", "as-stored"}) {
+    const Channels image = shaded(scene.gbuffer, scene.rig, with(scene.options, {"--map", "coverage=RGBA", "--edges", edges}));
+    const std::vector<float> stored = read_channels(scene.gbuffer).at("A");
+    for (std::size_t i = 0; i < scene.edges.size(); ++i) ASSERT_NEAR(image.at("A")[i], stored[i], 2e-3) << edges << ' ' << i;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Manners, MadeUpEdges, ::testing::Values(Manner::premultiplied, Manner::centre_position, Manner::over_hits));

@@ -18,9 +18,10 @@ void conclude(std::span<const Tally> t, const Reading& reading, std::vector<Find
   constexpr double edges = 0.5;  // more than half a frame of edges is something else
   const std::string premultiplied = reading.position_premultiplied ? "; layers are divided by coverage" : "";
   if (tally.share() < edges)
-    findings.push_back({"", Severity::hint, "", tally, "anti-aliased layers: " + share_in_words(tally) + " mix surfaces" + premultiplied,
-                        "edges are only nearly right: light on a mean of normals is not the mean of light",
-                        "render data with a closest filter or one sample a pixel, and anti-alias by Cryptomatte or at double size"});
+    findings.push_back(
+        {"", Severity::hint, "", tally, "anti-aliased layers: " + share_in_words(tally) + " mix surfaces" + premultiplied,
+         "relume shade takes such pixels apart by the surfaces around them; what it cannot explain is shaded as the mean, which is only nearly right",
+         "render data with a closest filter or one sample a pixel, and anti-alias by Cryptomatte or at double size"});
   else
     findings.push_back({"", Severity::hint, reading.roles.contains("normal") ? reading.roles.at("normal").layer : "", tally,
                         "normals are shorter than 1, or coverage is partial, at " + share_in_words(tally) + premultiplied,
