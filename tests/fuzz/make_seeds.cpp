@@ -1,45 +1,23 @@
-// Writes the fuzzer's seeds: the made-up scene at 12 x 12 pixels, in each renderer's names, each codec, tiled, in parts and cropped.
+// The fuzzer's seeds: the made-up scene at 3 x 3 pixels in each renderer's names and each header's camera, at 12 x 12 in each codec, tiled, filtered
+// and ailing.
 #include <ImfFloatAttribute.h>
 #include <ImfIntAttribute.h>
 #include <ImfMatrixAttribute.h>
-#include <ImfMultiPartOutputFile.h>
-#include <ImfOutputPart.h>
-#include <ImfPartType.h>
 #include <ImfStringAttribute.h>
 #include <ImfStringVectorAttribute.h>
-#include <ImfTiledOutputPart.h>
 #include <ImfVecAttribute.h>
 
 #include <iostream>
 #include <map>
 
+#include "tests/fuzz/seed.h"
 #include "tests/make_gbuffer.h"
 
 namespace {
 
 using namespace relume;
 
-constexpr int side = 12;  // pixels: some that are clear of edges, for the camera, and files of a few kilobytes
-
 const Imath::M44f world_to_camera{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, float(scene_eye_z), 1};
-
-struct SeedPart {
-  std::string name, view;
-  std::vector<std::string> channels;  ///< "ViewLayer.Normal.X=N.X": the name, and what of the scene it holds
-};
-
-struct Seed {
-  std::string name;
-  std::vector<SeedPart> parts;
-  std::function<void(Imf::Header&)> edit = [](Imf::Header&) {};  ///< of the first part
-  Imf::Compression compression = Imf::ZIP_COMPRESSION;
-  Imf::PixelType type = Imf::FLOAT;
-  int tile = 0;  ///< 0: scan lines
-  Imf::LevelMode levels = Imf::ONE_LEVEL;
-};
-
-std::string name_of(const std::string& channel) { return channel.substr(0, channel.find('=')); }
-std::string source_of(const std::string& channel) { return channel.substr(channel.find('=') + 1); }
 
 /// Three channels: "N" from "Normal" and "XYZ".
 std::vector<std::string> three(const std::string& layer, const std::string& suffixes, const std::string& source) {
@@ -169,6 +147,84 @@ std::vector<Seed> renderers() {
        }}};
 }
 
+Seed with_camera(const std::string& name, const std::function<void(Imf::Header&)>& edit) {
+  return {"camera_" + name, {{"", "", plain}}, edit, Imf::RLE_COMPRESSION, Imf::HALF};
+}
+
+/// Every kind of header that tells a camera, in types and spellings that the renderers' own seeds lack.
+std::vector<Seed> cameras() {
+  const auto texts = [](const std::map<std::string, std::string>& values) {
+    return [values](Imf::Header& header) {
+      for (const auto& [name, text] : values) header.insert(name.c_str(), Imf::StringAttribute(text));
+    };
+  };
+  const auto numbers = [](const std::map<std::string, float>& values) {
+    return [values](Imf::Header& header) {
+      for (const auto& [name, number] : values) header.insert(name.c_str(), Imf::FloatAttribute(number));
+    };
+  };
+  const std::string pose = "[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,5,1]]";
+  return {
+      with_camera("nuke", texts({{"nuke/camera/matrix", pose}, {"nuke/camera/focal", "33"}, {"nuke/camera/haperture", "24.6"}})),
+      with_camera("karma", texts({{"husk:render_stats", R"({"camera":{"world_to_ndc":[[1,0,0,0],[0,1,0,0],[0.5,0.5,-1,-1],[2,2,5,5]]}})"}})),
+      with_camera("unreal", texts({{"unreal/camera/FinalImage/fov", "40"},
+                                   {"unreal/camera/FinalImage/overscanPercent", "0.1"},
+                                   {"unreal/camera/curPos/x", "-500"},
+                                   {"unreal/camera/curPos/y", "0"},
+                                   {"unreal/camera/curPos/z", "10.5"},
+                                   {"unreal/camera/curRot/pitch", "3"},
+                                   {"unreal/camera/curRot/yaw", "90"}})),
+      with_camera("vray_max", texts({{"cameraTransform", pose}, {"cameraFov", "40"}, {"vrayInfo/filename", "scene.max"}, {"cameraAperture", "36"}})),
+      with_camera("prefixed", texts({{"exr/worldToCamera", pose}, {"nuke/exr/worldToNDC", pose}})),
+      with_camera("film", numbers({{"CameraFocalLength", 50}, {"CameraFilmApertureHorizontal", 36}, {"cameraProjection", 0}})),
+      with_camera("field_of_view", numbers({{"fieldOfViewHorizontal", 40}, {"fieldOfViewVertical", 40}})),
+      with_camera("sensor",
+                  [](Imf::Header& header) {
+                    header.insert("sensorOverallDimensions", Imf::V2fAttribute({36, 24}));
+                    header.insert("effectiveFocalLength", Imf::FloatAttribute(50));
+                  }),
+      with_camera("orthographic",
+                  [](Imf::Header& header) {
+                    header.insert("worldToCamera", Imf::M44dAttribute(Imath::M44d(world_to_camera)));
+                    header.insert("worldToScreen", Imf::M44fAttribute(Imath::M44f(.5f, 0, 0, 0, 0, .5f, 0, 0, 0, 0, .1f, 0, 0, 0, 0, 1)));
+                    header.screenWindowWidth() = 2;
+                  }),
+  };
+}
+
+/// What is made, taken apart and complained of.
+std::vector<Seed> contents() {
+  const std::function<void(Imf::Header&)> lens = with<Imf::FloatAttribute>("cameraFov", 40.0f);
+  const auto cryptomattes = [](Imf::Header& header) {
+    const std::pair<const char*, const char*> texts[] = {
+        {"0000001/name", "CryptoObject"}, {"0000001/hash", "MurmurHash3_32"},          {"0000001/manif_file", "names.json"},
+        {"0000002/name", "CryptoAsset"},  {"0000002/conversion", "uint32_to_float32"}, {"0000002/hash", "other"}};
+    for (const auto& [name, text] : texts) header.insert(std::string("cryptomatte/") + name, Imf::StringAttribute(text));
+    header.insert("cryptomatte/0000001/manifest", Imf::StringAttribute(R"({"b\u00e4ll":"3f000000", "/floor \n":"3F800000", "c":7, "d":"xyz"})"));
+  };
+  const Channels ranks{"CryptoObject00.r=x", "CryptoObject00.g=A", "CryptoObject00.b=A", "CryptoObject00.a=x",
+                       "CryptoObject01.r=A", "CryptoObject01.g=x", "CryptoAsset00.R=A",  "CryptoAsset00.G=A"};
+  const Channels surface = three("N", "XYZ", "N") + three("P", "XYZ", "P"), more{"Z=depth", "A=A", "id=id"};
+  Seed depth{"depth_alone", {{"", "", {"Z=depth"}}}, lens}, depth_posed{"depth_posed", {{"", "", {"Z=depth", "A=A"}}}, [](Imf::Header&header) {
+                                                                          header.insert("worldToCamera", Imf::M44fAttribute(world_to_camera));
+                                                                          header.insert("cameraFov", Imf::FloatAttribute(40));
+                                                                        }};
+  Seed light{"light_over_light", {{"", "", surface + three("DiffuseLighting", "RGB", "albedo") + three("RawDiffuseLighting", "RGB", "albedo")}}};
+  Seed positions{"positions_alone", {{"", "", three("P", "XYZ", "P")}}, with_matrices}, bare{"positions_bare", {{"", "", three("P", "XYZ", "P")}}};
+  Seed ids{"cryptomatte_levels", {{"", "", surface + ranks}}, cryptomattes};
+  Seed mean{"filtered", {{"", "", surface + more + three("albedo", "RGB", "albedo")}}, with_matrices}, hits{"filtered_pbrt", {{"", "", {}}}};
+  hits.parts = {{"", "", three("Ns", "XYZ", "N") + three("N", "XYZ", "N") + three("P", "XYZ", "P") + Channels{"dzdx=x", "dzdy=x", "A=A"}}};
+  Seed ailing{"ailing", {{"", "", surface + more + three("N2", "XYZ", "N") + Channels{"roughness=roughness"}}}, with_matrices};
+  Seed windows{"ailing_parts", {{"N", "", three("N", "XYZ", "N")}, {"P", "", three("P", "XYZ", "P")}, {"Z", "", {"Z=depth"}}}, with_matrices};
+  std::vector<Seed> seeds{depth, depth_posed, light, positions, bare, ids, mean, hits, ailing, windows};
+  for (Seed& seed : seeds) {
+    seed.samples = seed.name.starts_with("filtered") || seed.name.starts_with("crypto") ? 3 : 1;
+    seed.ailing = seed.name.starts_with("ailing");
+    seed.side = seed.samples > 1 || seed.ailing || seed.name == "positions_bare" || seed.name == "depth_posed" ? large : small;
+  }
+  return seeds;
+}
+
 /// Codecs, tiles and types, under plain names.
 std::vector<Seed> layouts() {
   std::vector<Seed> seeds;
@@ -181,78 +237,9 @@ std::vector<Seed> layouts() {
   seeds.push_back({"tiles", {{"", "", plain}}, with_matrices, Imf::ZIP_COMPRESSION, Imf::HALF, 8});
   seeds.push_back({"mipmap", {{"", "", plain}}, with_matrices, Imf::PIZ_COMPRESSION, Imf::HALF, 5, Imf::MIPMAP_LEVELS});
   seeds.push_back({"ripmap", {{"", "", plain}}, with_matrices, Imf::RLE_COMPRESSION, Imf::HALF, 7, Imf::RIPMAP_LEVELS});
+  for (Seed& seed : seeds) seed.side = large;
   seeds.push_back({"whole_numbers", {{"", "", {"id=id"}}}, with_matrices, Imf::PIZ_COMPRESSION, Imf::UINT});
   return seeds;
-}
-
-/// Samples of one part, kept alive with the frame buffer that points to them.
-struct Samples {
-  std::vector<std::vector<float>> floats;
-  std::vector<std::vector<half>> halves;
-  std::vector<std::vector<unsigned>> numbers;
-  Imf::FrameBuffer frame;
-};
-
-Imf::PixelType type_of(const Seed& seed, const std::string& channel) {
-  return source_of(channel) == "id" && seed.type == Imf::UINT ? Imf::UINT : seed.type;
-}
-
-void fill(Samples& s, const Seed& seed, const SeedPart& part) {
-  MadeUpGBuffer made = MadeUpGBuffer::of_size(side, side);
-  for (const std::string& channel : part.channels) {
-    const std::string source = source_of(channel);
-    const scene::Reader reader = scene::reader_of(source);
-    s.floats.emplace_back();
-    for (int i = 0; i < side * side; ++i) {
-      const ScenePixel pixel = scene_at(made, i % side, i / side);
-      s.floats.back().push_back(source == "id" ? float(pixel.id) : source == "depth" ? float(scene_eye_z - pixel.position.z) : reader(pixel));
-    }
-    s.halves.emplace_back(s.floats.back().begin(), s.floats.back().end());
-    s.numbers.emplace_back();
-    for (const float value : s.floats.back()) s.numbers.back().push_back(unsigned(std::max(value, 0.0f)));
-    const Imf::PixelType type = type_of(seed, channel);
-    void* const first = type == Imf::FLOAT  ? static_cast<void*>(s.floats.back().data())
-                        : type == Imf::HALF ? static_cast<void*>(s.halves.back().data())
-                                            : static_cast<void*>(s.numbers.back().data());
-    s.frame.insert(name_of(channel), Imf::Slice::Make(type, first, {0, 0}, side, side));
-  }
-}
-
-Imf::Header header_of(const Seed& seed, const SeedPart& part) {
-  Imf::Header header(side, side);
-  header.compression() = seed.compression;
-  header.setType(seed.tile ? Imf::TILEDIMAGE : Imf::SCANLINEIMAGE);
-  if (seed.parts.size() > 1) header.setName(part.name);
-  if (!part.view.empty()) header.setView(part.view);
-  if (seed.tile) header.setTileDescription({unsigned(seed.tile), unsigned(seed.tile), seed.levels, Imf::ROUND_DOWN});
-  for (const std::string& channel : part.channels) header.channels().insert(name_of(channel), Imf::Channel(type_of(seed, channel)));
-  return header;
-}
-
-void write_tiles(Imf::MultiPartOutputFile& file, const Samples& samples) {
-  Imf::TiledOutputPart out(file, 0);
-  out.setFrameBuffer(samples.frame);
-  for (int y = 0; y < out.numYLevels(); ++y)
-    for (int x = 0; x < out.numXLevels(); ++x)
-      if (out.isValidLevel(x, y)) out.writeTiles(0, out.numXTiles(x) - 1, 0, out.numYTiles(y) - 1, x, y);
-}
-
-void write(const Seed& seed, const std::filesystem::path& folder) {
-  std::vector<Imf::Header> headers;
-  for (const SeedPart& part : seed.parts) headers.push_back(header_of(seed, part));
-  seed.edit(headers.front());
-  Imf::MultiPartOutputFile file((folder / (seed.name + ".exr")).c_str(), headers.data(), int(headers.size()));
-  for (std::size_t p = 0; p < seed.parts.size(); ++p) {
-    Samples samples;
-    fill(samples, seed, seed.parts[p]);
-    if (seed.tile) {
-      write_tiles(file, samples);
-      continue;
-    }
-    Imf::OutputPart out(file, int(p));
-    out.setFrameBuffer(samples.frame);
-    out.writePixels(side);
-  }
 }
 
 }  // namespace
@@ -262,6 +249,6 @@ int main(int argc, char** argv) {
     std::cerr << "usage: make_fuzz_seeds FOLDER\n";
     return 2;
   }
-  for (const std::vector<Seed>& seeds : {renderers(), layouts()})
+  for (const std::vector<Seed>& seeds : {renderers(), cameras(), contents(), layouts()})
     for (const Seed& seed : seeds) write(seed, argv[1]);
 }

@@ -1,4 +1,4 @@
-// libFuzzer's target: bytes as an OpenEXR file, through header scan, decoding, conventions and the making of a G-buffer.
+// libFuzzer's target: bytes as an OpenEXR file, through header scan, decoding, what the data are asked, the making of a G-buffer, ids, and diagnosis.
 #include <ImfThreading.h>
 #include <sys/mman.h>
 #include <tbb/global_control.h>
@@ -8,8 +8,10 @@
 #include <cstdlib>
 #include <string>
 
+#include "gbuffer/doctor.h"
 #include "gbuffer/error.h"
 #include "gbuffer/gbuffer.h"
+#include "gbuffer/object_ids.h"
 
 namespace {
 
@@ -72,26 +74,80 @@ void decode(const ExrFile& file) {
   }
 }
 
+/// Every object counted and called by its name, and found again by it.
+void use_ids(ObjectIds& ids, const GBuffer& gbuffer, const std::string& path) {
+  ObjectCounts counts;
+  ids.count(gbuffer, counts);
+  for (const auto& [id, count] : counts) ids.called(id);
+  const std::string known = !ids.is_cryptomatte() ? "1" : ids.manifest().empty() ? "ball" : ids.manifest().ids.begin()->first;
+  const std::vector<std::uint32_t> meant = ids.ids_of({known}, path);
+  ids.most_covering(gbuffer);
+  ids.shares(gbuffer, {meant.begin(), meant.end()});
+  ids.ids_of({"0x3f000000", "no such object"}, path);  // most refuse it
+}
+
+/// What each band holds for the lobes, mixed pixels taken apart; then the ids.
+void read_bands(const ExrFile& file, const Reading& reading, const std::vector<std::string>& roles, ObjectIds* ids) {
+  const Window& all = reading.data_window;
+  for (int y = all.min_y; y < all.max_y; y += band_rows) {
+    const Window band{all.min_x, y, all.max_x, std::min(y + band_rows, all.max_y)};
+    const GBuffer gbuffer = read_gbuffer(file, reading, band, roles, 0, find_mixtures(file, reading, band, roles));
+    if (ids) use_ids(*ids, gbuffer, file.path());
+  }
+}
+
 /// As `shade` does: the reading, then bands with every role that was found.
 void read_as(const ExrFile& file, const ReadingOptions& options) {
   const Reading reading = understand(file, options);
   std::vector<std::string> roles;
   for (const auto& [role, layer] : reading.roles)
     if (role != "position" && role != "normal" && role != "base_normal" && role != "depth" && role != "tangent") roles.push_back(role);
-  const Window& all = reading.data_window;
-  for (int y = all.min_y; y < all.max_y; y += band_rows)
-    read_gbuffer(file, reading, {all.min_x, y, all.max_x, std::min(y + band_rows, all.max_y)}, roles, 0);
+  if (is_made(reading, "albedo")) roles.push_back("albedo");
+  read_bands(file, reading, roles, nullptr);
 }
 
-/// One way of asking for each file, by its size: all for each would cost the speed. Most bring a camera: recovering one takes longer than all else.
+/// As `inspect --objects` does: every Cryptomatte, or the layer of ids.
+void read_objects(const ExrFile& file, const ReadingOptions& options) {
+  const Reading reading = understand(file, options);
+  std::vector<std::string> names{""};
+  for (const Cryptomatte& cryptomatte : cryptomattes_of(file, reading)) names.push_back(cryptomatte.name);
+  for (const std::string& name : names)
+    refusing(file.path(), [&] {
+      Reading with_ids = reading;
+      ObjectIds ids(file, with_ids, name, false);
+      read_bands(file, with_ids, ids.roles(), &ids);
+    });
+}
+
+/// As `doctor --png` does, without the pictures.
+void examine(const ExrFile& file, const ReadingOptions& options) {
+  const std::vector<glm::dvec3> lights{{1, 2, 3}};
+  mark_findings(file, diagnose(file, options, lights), lights);
+}
+
+/// One way of asking for each file, by its size: all for each would cost the speed. Most say that positions are in camera space: recovering a camera
+/// from others takes longer than all else.
 ReadingOptions options_for(std::size_t size) {
   const std::size_t way = size % 8;
   ReadingOptions options;
-  if (way == 1) options.recover_camera = true;
-  if (way > 1) options.camera = Camera{};
-  if (way % 2 == 1) options.normal_encoding = NormalEncoding::as_unsigned;
-  if (way % 4 == 3) options.position_space = options.normal_space = Space::camera;
+  if (way == 0) options.recover_camera = size % 16 == 0;
+  if (way > 1) options.position_space = Space::camera;
+  if (way == 1 || way == 2) options.camera = Camera{};
+  if (way == 2) options.camera->lens = Lens{12, 12, 6, 6};
+  if (way == 3) options.normal_encoding = NormalEncoding::as_unsigned;
+  if (way == 4) options.normal_space = Space::camera;
+  if (way == 5) options.premultiplied = true;
+  if (way == 6) options.depth_kind = DepthKind::distance;
   return options;
+}
+
+/// Likewise one use of it.
+void use(const ExrFile& file, std::size_t size) {
+  const ReadingOptions options = options_for(size);
+  const std::size_t way = size / 8 % 4;
+  if (way == 0) examine(file, options);
+  if (way == 1) read_objects(file, options);
+  if (way > 1) read_as(file, options);
 }
 
 }  // namespace
@@ -104,7 +160,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const ExrFile file(path, limits);
     Imf::setGlobalThreadCount(0);
     refusing(path, [&] { decode(file); });
-    refusing(path, [&] { read_as(file, options_for(size)); });
+    refusing(path, [&] { use(file, size); });
   });
   return 0;
 }
