@@ -43,7 +43,7 @@ const std::vector<Spelling>& spellings() {
       {"depth", {"distance", "hitdist", "hitdistance", "raylength", "raydistance", "depthdistance", "radialdepth"}, Says::distance},
       {"albedo",
        {"albedo", "basecolor", "basecolour", "diffusealbedo", "diffusecolor", "diffusecolour", "diffcol", "diffusefilter", "diffusecol", "basecol",
-        "albedodiffuse", "rawdiffusefilter", "cd", "unlit"}},
+        "albedodiffuse", "rawdiffusefilter", "cd", "unlit", "albedoraw", "rawalbedo", "base"}},
       {"roughness",
        {"roughness", "rough", "specularroughness", "specroughness", "reflectionroughness", "reflectroughness", "baseroughness", "glossyroughness",
         "rgh"}},
@@ -52,6 +52,7 @@ const std::vector<Spelling>& spellings() {
       {"exponent", {"exponent", "shininess", "specularexponent", "phongexponent", "specularpower"}},
       {"alpha", {"ggxalpha", "alphaggx", "roughnessalpha", "alpharoughness", "microfacetalpha"}},
       {"f0", {"f0", "specularf0", "reflectancef0"}},
+      {"specular_level", {"specularlevel", "speclevel"}},
       {"ior", {"ior", "refractiveindex", "refractionindex", "indexofrefraction", "reflectior", "reflectionior"}},
       {"coverage", {"", "rgba", "beauty", "combined", "alpha", "coverage", "a"}},
       {"ids", {"id", "ids", "objectid", "objectindex", "indexob", "shapeindex", "objid", "element", "elementid", "instanceid", "renderid"}},
@@ -200,7 +201,24 @@ void assign_common_names(Reading& reading, const std::vector<NamedLayer>& layers
   remember_names(reading);
 }
 
+namespace {
+
+/// Of a specular workflow, where no layer tells metal: diffuse colour and reflectance instead of base colour and metalness.
+void take_specular_colour(const std::vector<Layer>& layers, Reading& reading) {
+  const auto has = [&](const char* role) { return reading.roles.contains(role); };
+  if (has("f0") || has("metallic") || !(has("roughness") || has("glossiness") || has("exponent") || has("alpha"))) return;
+  assign(reading, named_layers(layers, [](const Layer& layer) { return layer.name; }),
+         {"f0", {"specular_color", "specular_colour", "specular_albedo", "spec_color", "albedo_specular", "reflectance"}});
+  if (const auto f0 = reading.roles.find("f0"); f0 != reading.roles.end())
+    reading.notes.push_back("warning: layer \"" + printable(f0->second.layer) +
+                            "\" is taken for the reflectance at normal incidence, but may be a tint or hold light (--map f0=LAYER or --set f0=R,G,B "
+                            "say otherwise)");
+}
+
+}  // namespace
+
 void take_diffuse(const ExrFile&, const std::vector<Layer>& layers, Reading& reading) {
+  take_specular_colour(layers, reading);
   if (reading.roles.contains("albedo") || reading.roles.contains("diffuse_raw_light")) return;
   assign(reading, named_layers(layers, [](const Layer& layer) { return layer.name; }), {"albedo", {"diffuse"}});
   if (const auto albedo = reading.roles.find("albedo"); albedo != reading.roles.end())

@@ -106,6 +106,14 @@ void make_missing(const ExrFile& file, Reading& reading) {
                            ", black where no light fell (--map albedo=LAYER names a layer)");
 }
 
+/// What the data left open is worth a word wherever the file is used: if it is the other, the whole picture is wrong.
+void note_unsure(Reading& reading) {
+  for (const Verdict& v : reading.verdicts)
+    if (!v.sure)
+      reading.notes.push_back("warning: " + v.question + " is taken to be " + v.answer + ", but that is not sure: " + v.evidence + " (" + v.option +
+                              (v.option.find(',') == std::string::npos ? " overrules)" : " overrule)"));
+}
+
 /// Output follows the part with the positions; pixels that some layer lacks are left out.
 void set_windows(const ExrFile& file, Reading& reading) {
   reading.part = reading.roles.at(is_made(reading, "position") ? "depth" : "position").part;
@@ -206,6 +214,7 @@ Reading understand(const ExrFile& file, const ReadingOptions& options) {
   solve_before_camera(file, options, reading);
   find_camera(file, options, reading);
   solve_with_camera(file, options, reading);
+  note_unsure(reading);
   make_missing(file, reading);
   if (convention.settle) convention.settle(file, options, reading);
   reading.filtered = looks_filtered(file, reading);

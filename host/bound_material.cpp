@@ -138,6 +138,9 @@ class Binder {
     const Parameter& parameter = parameter_named(name);
     if (parameter.from_host || bound_.fields.contains(parameter.field)) return;
     const std::optional<FieldSource> source = name == "base_color" ? (given("albedo") ? source_of("albedo") : source_of("base_color")) : found(name);
+    if (!source && name == "albedo")
+      note("warning: no layer tells the albedo: " + std::to_string(parameter.fallback).substr(0, 4) +
+           " is taken for it everywhere (--map albedo=LAYER, --set albedo=R,G,B or a material file tells it)");
     bound_.fields[parameter.field] = source.value_or(FieldSource{{parameter.fallback}, {}, {}, {}});
   }
 

@@ -1,8 +1,10 @@
 // In which space are normals, and with which axes? In the one where they agree best with the normals of the surface that the positions span.
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <map>
 
 #include "gbuffer/layer_frame.h"
 #include "gbuffer/solver/surface_normals.h"
@@ -16,21 +18,51 @@ using glm::dvec3;
 struct Candidate {
   Space space;
   Axes axes;
-  double score = 0;   ///< mean cosine between stored and geometric normals, either way round: 1 where all agree
-  double facing = 0;  ///< the same with its sign: negative where normals point away from the viewer
+  double score = 0;               ///< mean cosine between stored and geometric normals, either way round: 1 where all agree
+  double facing = 0;              ///< the same with its sign, over pixels: negative where normals point away from the viewer
+  std::vector<double> cosines{};  ///< per orientation
 };
 
-/// The geometric normals as a layer of this space would store them.
-std::vector<dvec3> in_space(const std::vector<SurfaceNormal>& samples, Space space, const Camera& camera) {
-  const dmat3 camera_from_world = glm::transpose(dmat3(camera.world_from_camera));
+/// Samples of one orientation: bumps average out within it, and a floor that fills the picture has no more say than the things on it.
+struct Orientation {
+  std::vector<std::size_t> samples;
+  dvec3 geometric{0};
+  double weight = 0;  ///< of all
+};
+
+/// By cells of a cube around the origin, some 11 degrees wide.
+std::vector<Orientation> orientations_of(const std::vector<SurfaceNormal>& samples) {
+  constexpr double cells = 4;  // each side of 0
+  std::map<std::array<int, 3>, Orientation> by_cell;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const dvec3& n = samples[i].geometric;
+    const dvec3 on_cube = glm::round(n * (cells / std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)})));
+    Orientation& cell = by_cell[{int(on_cube.x), int(on_cube.y), int(on_cube.z)}];
+    cell.samples.push_back(i);
+    cell.geometric += n;
+  }
+  std::vector<Orientation> all;
+  double sum = 0;
+  for (auto& [key, cell] : by_cell) {
+    constexpr std::size_t too_few = 3;  // edges that look even
+    if (cell.samples.size() < too_few && by_cell.size() > too_few) continue;
+    cell.weight = std::sqrt(double(cell.samples.size()));  // between one vote each and one vote a pixel
+    sum += cell.weight;
+    cell.geometric = glm::normalize(cell.geometric);
+    all.push_back(std::move(cell));
+  }
+  for (Orientation& o : all) o.weight /= sum;
+  return all;
+}
+
+/// What the stored normals are in the world, read so.
+std::vector<dvec3> in_world(const std::vector<SurfaceNormal>& samples, const Candidate& c, const Camera& camera) {
+  const dmat3 world_from_camera(camera.world_from_camera);
   std::vector<dvec3> normals;
   for (const SurfaceNormal& s : samples) {
-    if (space == Space::world)
-      normals.push_back(s.geometric);
-    else if (space == Space::camera)
-      normals.push_back(camera_from_world * s.geometric);
-    else
-      normals.push_back(glm::normalize(glm::inverse(camera_from_view_ray(s.seen)) * (camera_from_world * s.geometric)));
+    const dvec3 ordered = in_axes(c.axes, s.stored);
+    const dvec3 seen = c.space == Space::view_ray ? camera_from_view_ray(s.seen) * ordered : ordered;
+    normals.push_back(c.space == Space::world ? ordered : glm::normalize(world_from_camera * seen));
   }
   return normals;
 }
@@ -47,36 +79,48 @@ std::vector<Axes> all_axes() {
   return all;
 }
 
-std::vector<Candidate> scored(const std::vector<SurfaceNormal>& samples, Space space, const Camera& camera) {
-  const std::vector<dvec3> wanted = in_space(samples, space, camera);
+/// The mean cosine to each orientation, either way round: normals that point away belong to it as well.
+std::vector<double> cosines(const std::vector<dvec3>& normals, const std::vector<Orientation>& orientations) {
+  std::vector<double> result;
+  for (const Orientation& o : orientations) {
+    dvec3 mean{0};
+    for (const std::size_t i : o.samples) mean += glm::dot(normals[i], o.geometric) < 0 ? -normals[i] : normals[i];
+    result.push_back(glm::length(mean) > 0 ? glm::dot(glm::normalize(mean), o.geometric) : 0);
+  }
+  return result;
+}
+
+std::vector<Candidate> scored(const std::vector<SurfaceNormal>& samples, const std::vector<Orientation>& orientations, Space space,
+                              const Camera& camera) {
   std::vector<Candidate> candidates;
   for (const Axes& axes : all_axes()) {
     Candidate c{space, axes};
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      const double cosine = glm::dot(in_axes(axes, samples[i].stored), wanted[i]);
-      c.score += std::abs(cosine) / double(samples.size());
-      c.facing += cosine / double(samples.size());
-    }
-    candidates.push_back(c);
+    const std::vector<dvec3> normals = in_world(samples, c, camera);
+    c.cosines = cosines(normals, orientations);
+    for (std::size_t k = 0; k < orientations.size(); ++k) c.score += orientations[k].weight * c.cosines[k];
+    for (std::size_t i = 0; i < samples.size(); ++i) c.facing += glm::dot(normals[i], samples[i].geometric) / double(samples.size());
+    candidates.push_back(std::move(c));
   }
   return candidates;
 }
 
-/// By how many standard errors one candidate beats another over the samples.
-double advantage(const Candidate& a, const Candidate& b, const std::vector<SurfaceNormal>& samples, const Camera& camera) {
-  const auto wanted_a = in_space(samples, a.space, camera), wanted_b = in_space(samples, b.space, camera);
-  double sum = 0, squares = 0;
-  const double n = double(samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const auto cosine = [&](const Candidate& c, const std::vector<dvec3>& wanted) {
-      return std::abs(glm::dot(in_axes(c.axes, samples[i].stored), wanted[i]));
-    };
-    const double gain = cosine(a, wanted_a) - cosine(b, wanted_b);
-    sum += gain;
-    squares += gain * gain;
+/// By how many standard errors one candidate beats another over the orientations.
+double advantage(const Candidate& a, const Candidate& b, const std::vector<Orientation>& orientations) {
+  double mean = 0, squares = 0;
+  for (std::size_t k = 0; k < orientations.size(); ++k) {
+    const double gain = a.cosines[k] - b.cosines[k];
+    mean += orientations[k].weight * gain;
+    squares += orientations[k].weight * gain * gain;
   }
-  const double mean = sum / n, variance = squares / n - mean * mean;
-  return mean / std::sqrt(std::max(variance, 1e-12) / n);
+  return mean / std::sqrt(std::max(squares - mean * mean, 1e-12) / double(orientations.size()));
+}
+
+constexpr double rounding = 1e-5;  ///< of a mean cosine: normals in half precision leave less
+
+/// A camera that is almost level makes spaces differ by little, which clean normals still show.
+bool clearly_better(const Candidate& a, const Candidate& b) {
+  constexpr double gain = 0.01, times = 4;
+  return a.score > b.score + gain || 1 - b.score > times * (1 - a.score) + rounding;
 }
 
 Axes inverted(Axes axes) {
@@ -89,7 +133,7 @@ void face_viewer(Candidate& c, const Reading& reading) {
   const bool as_convention = c.space == reading.normal_space && c.axes == reading.normal_axes;
   constexpr double mostly_away = -0.5;
   if (as_convention && (reading.facing != Facing::as_stored || c.facing > mostly_away)) return;
-  if (c.facing >= 0) return;
+  if (c.facing >= (c.axes == Axes{} ? mostly_away : 0)) return;  // leaves show either side
   c.axes = inverted(c.axes);
   c.facing = -c.facing;
 }
@@ -101,29 +145,38 @@ bool allowed(const Candidate& c, const ReadingOptions& options) {
   return (!options.normal_space || *options.normal_space == c.space) && (!options.normal_axes || *options.normal_axes == c.axes);
 }
 
-std::vector<Candidate> candidates_of(const std::vector<SurfaceNormal>& samples, const Asked& asked, const Reading& reading) {
+std::vector<Candidate> candidates_of(const std::vector<SurfaceNormal>& samples, const std::vector<Orientation>& orientations, const Asked& asked,
+                                     const Reading& reading) {
   std::vector<Space> spaces{reading.normal_space};
   for (const Space space : {Space::world, Space::camera})
     if (space != reading.normal_space) spaces.push_back(space);
   std::vector<Candidate> candidates;
   for (const Space space : spaces)
-    for (const Candidate& c : scored(samples, space, *reading.camera))
+    for (const Candidate& c : scored(samples, orientations, space, *reading.camera))
       if (allowed(c, asked.options)) candidates.push_back(c);
   if (reading.normal_space == Space::view_ray) return candidates;
   // V-Ray's frame also where another program has dropped its marks: as V-Ray stores it only, since flipped it differs from camera space by little.
-  const Candidate view_ray = scored(samples, Space::view_ray, *reading.camera).front();
+  const Candidate view_ray = scored(samples, orientations, Space::view_ray, *reading.camera).front();
   if (allowed(view_ray, asked.options)) candidates.push_back(view_ray);
   return candidates;
 }
 
-/// The best that does not say the same as the chosen one, seen from the other side.
-const Candidate* rival_of(const Candidate& chosen, const std::vector<Candidate>& all) {
-  const Candidate* rival = nullptr;
-  for (const Candidate& c : all) {
-    if (c.space == chosen.space && (c.axes == chosen.axes || c.axes == inverted(chosen.axes))) continue;
-    if (!rival || c.score > rival->score) rival = &c;
-  }
-  return rival;
+/// The best that means other normals than the chosen one: a camera that stands straight leaves several words for one thing.
+const Candidate* rival_of(const Candidate& chosen, const std::vector<Candidate>& all, const std::vector<SurfaceNormal>& samples,
+                          const Camera& camera) {
+  const std::vector<dvec3> normals = in_world(samples, chosen, camera);
+  const auto differs = [&](const Candidate& c) {
+    constexpr double one_degree = 0.99985;  // cosine
+    double mean = 0;
+    const std::vector<dvec3> others = in_world(samples, c, camera);
+    for (std::size_t i = 0; i < normals.size(); ++i) mean += std::abs(glm::dot(normals[i], others[i])) / double(normals.size());
+    return mean < one_degree;
+  };
+  std::vector<const Candidate*> by_score;
+  for (const Candidate& c : all) by_score.push_back(&c);
+  std::stable_sort(by_score.begin(), by_score.end(), [](const Candidate* a, const Candidate* b) { return a->score > b->score; });
+  const auto rival = std::find_if(by_score.begin(), by_score.end(), [&](const Candidate* c) { return differs(*c); });
+  return rival == by_score.end() ? nullptr : *rival;
 }
 
 }  // namespace
@@ -131,31 +184,39 @@ const Candidate* rival_of(const Candidate& chosen, const std::vector<Candidate>&
 void ask_normal_space(const Asked& asked, Reading& reading) {
   if (!reading.roles.contains("normal") || !reading.camera || (asked.options.normal_space && asked.options.normal_axes)) return;
   const std::vector<SurfaceNormal> samples = surface_normals(asked, reading);
-  constexpr std::size_t few = 64;
-  if (samples.size() < few) return;
-  const std::vector<Candidate> all = candidates_of(samples, asked, reading);
+  constexpr std::size_t few = 16;
+  if (samples.size() < few) {
+    const bool told = reading.convention != "generic";  // by the renderer's ways, or its names
+    if (!told)
+      reading.verdicts.push_back(
+          {"normal space", name_of(reading.normal_space), "too few pixels show an even surface to tell by", "--normal-space, --normal-axes", false});
+    return;
+  }
+  const std::vector<Orientation> orientations = orientations_of(samples);
+  const std::vector<Candidate> all = candidates_of(samples, orientations, asked, reading);
   const auto same = [&](const Candidate& c) { return c.space == reading.normal_space && c.axes == reading.normal_axes; };
   const auto before = std::find_if(all.begin(), all.end(), same);
   const Candidate prior = before == all.end() ? all.front() : *before;
   const double top = std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.score < b.score; })->score;
-  constexpr double as_good = 0.003;  // mean cosine: what bumps and smooth shading move it by
+  // What bumps and smooth shading move the mean cosine by; less where the best shows none of them.
+  const double as_good = std::min(0.003, 2 * (1 - top) + rounding);
   const auto best = std::find_if(all.begin(), all.end(), [&](const Candidate& c) { return c.score > top - as_good; });  // the plainest of the best
-  // A reading is overturned only for one that explains nearly everything, and beyond chance.
-  constexpr double explains = 0.85, gain = 0.01, beyond_chance = 8;
-  const bool overturned =
-      best->score > explains && best->score > prior.score + gain && advantage(*best, prior, samples, *reading.camera) > beyond_chance;
+  // A reading is overturned only for one that explains much, and beyond chance.
+  constexpr double explains = 0.85, beyond_chance = 3;
+  const bool overturned = best->score > explains && clearly_better(*best, prior) && advantage(*best, prior, orientations) > beyond_chance;
   Candidate chosen = overturned ? *best : prior;
   if (!asked.options.normal_axes) face_viewer(chosen, reading);
-  const Candidate* const rival = rival_of(chosen, all);
+  const Candidate* const rival = rival_of(chosen, all, samples, *reading.camera);
   reading.normal_space = chosen.space;
   reading.normal_axes = chosen.axes;
+  const bool either_side = overturned && std::abs(chosen.facing) < 0.5;  // as many normals point away as to the viewer: which are the outer ones?
   reading.verdicts.push_back({"normal space", words(chosen),
                               "mean cosine to the surfaces that the positions span: " + in_words(chosen.score) +
-                                  (rival ? "; next: " + words(*rival) + " " + in_words(rival->score) : ""),
-                              "--normal-space, --normal-axes", chosen.score > explains && (!rival || chosen.score > rival->score + gain)});
-  if (chosen.score < explains)
-    reading.notes.push_back("warning: normals agree with the positions to a mean cosine of " + in_words(chosen.score) +
-                            " only, and with no other space or axes better: bump maps, or a frame of their own (--map normal=LAYER, --normal-space)");
+                                  (rival ? "; next: " + words(*rival) + " " + in_words(rival->score) : "") +
+                                  (chosen.score < explains ? "; bump maps, or a frame of their own" : "") +
+                                  (either_side ? "; as many point away from the viewer as towards" : ""),
+                              "--normal-space, --normal-axes",
+                              chosen.score > explains && !either_side && (!rival || clearly_better(chosen, *rival))});
 }
 
 }  // namespace relume

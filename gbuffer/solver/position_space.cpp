@@ -46,9 +46,13 @@ Candidate best_of(std::vector<Candidate> candidates, const std::vector<Sighting>
   return *std::min_element(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) { return a.fit.residual < b.fit.residual; });
 }
 
-std::vector<Candidate> in_camera_space(const std::vector<Camera>& stated) {
+/// Without perspective both ways to point z fit: then what is seen lies ahead of the camera.
+std::vector<Candidate> in_camera_space(const std::vector<Camera>& stated, const std::vector<Sighting>& sightings) {
   Camera camera;
   if (!stated.empty()) camera.projection = stated.front().projection;
+  const auto ahead = std::count_if(sightings.begin(), sightings.end(), [](const Sighting& s) { return s.position.z > 0; });
+  if (camera.projection == Camera::Projection::orthographic)
+    return {{Space::camera, 2 * std::size_t(ahead) > sightings.size() ? z_forward : Axes{}, camera}};
   return {{Space::camera, Axes{}, camera}, {Space::camera, z_forward, camera}};
 }
 
@@ -102,6 +106,13 @@ bool take_units_and_axes(const std::vector<Camera>& stated, const std::vector<Si
   return false;
 }
 
+/// A camera at the origin of a world with its axes: the two spaces are one.
+bool is_origin(const Camera& camera) {
+  double apart = 0;
+  for (int i = 0; i < 4; ++i) apart = std::max(apart, glm::length(camera.world_from_camera[i] - glm::dmat4(1)[i]));
+  return apart < 1e-6;
+}
+
 }  // namespace
 
 void ask_position_space(const Asked& asked, Reading& reading) {
@@ -111,7 +122,7 @@ void ask_position_space(const Asked& asked, Reading& reading) {
   constexpr std::size_t few = 8;
   if (sightings.size() < few) return;
   const auto stated = stated_cameras(asked, reading);
-  const Candidate seen = best_of(in_camera_space(stated), sightings);
+  const Candidate seen = best_of(in_camera_space(stated, sightings), sightings);
   if (stated.empty() || asked.options.position_space) {
     if (reading.position_space == Space::camera) take(seen, reading);
     return;
@@ -126,11 +137,12 @@ void ask_position_space(const Asked& asked, Reading& reading) {
       take_units_and_axes(stated, sightings, reading))
     return;
   const bool camera = camera_wins || (!world_wins && reading.position_space == Space::camera);
+  const bool not_seen = !camera && seen.fit.residual > agreement;  // then the header's camera is another's: find_camera says so
   take(camera ? seen : world, reading);
   reading.verdicts.push_back({"position space", camera ? "camera" : "world",
                               "reprojected, positions miss their pixels by " + pixels(world.fit.residual) + " as world positions (" +
                                   world.camera.source + ") and by " + pixels(seen.fit.residual) + " as positions in camera space",
-                              "--position-space", camera_wins || world_wins});
+                              "--position-space", camera_wins || world_wins || not_seen || is_origin(world.camera)});
 }
 
 }  // namespace relume
