@@ -72,6 +72,7 @@ struct Fit {
   Projection34 projection = Projection34::Zero();
   bool determined = false;
   double residual = std::numeric_limits<double>::infinity();  ///< median, pixels
+  double share_off = 1;                                       ///< mean of the errors, each at most one pixel: the median overlooks a minority
 };
 
 /// Right singular vector of the smallest singular value, and whether it is the only small one.
@@ -129,6 +130,8 @@ Fit fitted(const std::vector<Sighting>& sightings, Solve&& solve) {
     }
     const double typical = median(errors), depth = median(depths);
     fit.residual = typical / normaliser.pixel_scale;
+    fit.share_off = 0;
+    for (const double error : errors) fit.share_off += (error < normaliser.pixel_scale ? error / normaliser.pixel_scale : 1) / double(errors.size());
     fit.projection = normaliser.undone(fit.projection);
     if (fit.residual < best.residual || round == 0) best = fit;
     const double width = std::max(2 * typical, 1e-9);  // twice the median is about one and a half standard deviations
@@ -228,7 +231,9 @@ Recovery recovered_from(const std::vector<Sighting>& sightings, const Window& di
   if (flat(sightings)) return {{}, "all positions lie in one plane", true};
   const Fit perspective = fitted(sightings, solve_perspective), affine = fitted(sightings, solve_orthographic);
   // A perspective camera fits an orthographic image too, only a little better; a thousandth of a pixel is what float positions leave.
-  const bool orthographic = affine.residual <= 1.1 * perspective.residual + 1e-3;
+  // Seen head-on, a floor that fills the picture fits an orthographic camera exactly: what stands on it does not.
+  constexpr double things_on_it = 0.01;  // of the sightings, a pixel off
+  const bool orthographic = affine.residual <= 1.1 * perspective.residual + 1e-3 && affine.share_off <= 1.1 * perspective.share_off + things_on_it;
   const Fit& fit = orthographic ? affine : perspective;
   if (!fit.determined) return {{}, "the positions fit many cameras alike", false};
   if (!(fit.residual <= max_residual))

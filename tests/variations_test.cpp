@@ -8,6 +8,7 @@
 #include <functional>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -33,6 +34,7 @@ struct Variation {
   dmat3 world_from_scene = turned(0.4, 0.7);  ///< a rotation that no two axes share, perhaps mirrored
   dvec3 origin{3, -1, 2};
   bool camera_in_header = true, half = false, positions_in_camera = false, normals_in_camera = false;
+  std::function<void(ScenePixel&)> scene = [](ScenePixel&) {};  ///< changes what is there to be seen
   std::function<dvec3(const dvec3&)> normal_stored = [](const dvec3& n) { return n; };
   double stored_units = 1;  ///< of positions, for one of the header's camera
   double wanted = 60;       ///< dB against the plain file
@@ -68,6 +70,7 @@ void write_variation(const std::filesystem::path& file, const Variation& v) {
   made.half = v.half;
   made.camera_in_header = false;
   made.pixel = [&](int, int, ScenePixel& pixel) {
+    v.scene(pixel);
     if (pixel.id == 0) return;
     pixel.position = v.stored_units * (v.positions_in_camera ? pixel.position - scene_eye : v.world_from_scene * pixel.position + v.origin);
     pixel.normal = v.normal_stored(v.normals_in_camera ? pixel.normal : v.world_from_scene * pixel.normal);
@@ -124,6 +127,48 @@ std::vector<Variation> variations() {
       {.name = "normals in bytes", .normal_stored = in_bytes, .wanted = 40},
       {.name = "normals in bytes, flipped green", .normal_stored = [](const dvec3& n) { return in_bytes(n * dvec3(1, -1, 1)); }, .wanted = 40},
   };
+}
+
+/// Waves that tilt normals by 30 degrees on average, but never away from the viewer.
+void heavy_bumps(ScenePixel& pixel) {
+  const dvec3& p = pixel.position;
+  const dvec3 tilted = glm::normalize(pixel.normal + 0.75 * dvec3(std::sin(9 * p.x + 2 * p.y), std::sin(7 * p.y + p.z), std::cos(8 * p.z)));
+  if (pixel.id != 0 && glm::dot(tilted, scene_eye - p) > 0.05) pixel.normal = tilted;
+}
+
+/// All but a floor, and of the sphere a spot of a few hundred pixels.
+void mostly_floor(ScenePixel& pixel) {
+  if (pixel.id == 1 && glm::length(glm::dvec2(pixel.position)) > 0.35) pixel = ScenePixel{};
+}
+
+TEST(Variations, BumpsAndFloorsHideNoSpace) {
+  for (const auto scene : {heavy_bumps, mostly_floor}) {
+    const Channels plain = relit({.name = "plain", .scene = scene});
+    ASSERT_FALSE(plain.empty());
+    for (Variation v : {Variation{.name = "normals in camera space", .normals_in_camera = true},
+                        Variation{.name = "flipped green", .normal_stored = [](const dvec3& n) { return n * dvec3(1, -1, 1); }},
+                        Variation{.name = "normals z up", .normal_stored = [](const dvec3& n) { return dvec3(n.x, -n.z, n.y); }}}) {
+      v.scene = scene;
+      const Channels image = relit(v);
+      if (image.empty()) continue;
+      EXPECT_GE(psnr(image, plain), v.wanted) << v.name << (scene == heavy_bumps ? ", bumps" : ", floor");
+    }
+  }
+}
+
+TEST(Variations, WhatIsNotSureIsSaid) {
+  const TemporaryFolder folder;
+  Variation v{.name = "noise for normals"};
+  v.scene = [](ScenePixel& pixel) {
+    const dvec3 p = 1000.0 * pixel.position;
+    if (pixel.id != 0) pixel.normal = glm::normalize(dvec3(std::sin(p.x), std::sin(p.y + 1), std::sin(p.z + p.x)));
+  };
+  write_variation(folder / "in.exr", v);
+  write_rig(folder / "rig.json", v);
+  const ProgramRun run = run_program(
+      {"shade", (folder / "in.exr").string(), "-l", (folder / "rig.json").string(), "-o", (folder / "out.exr").string(), "--device", "twin"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.err.find("warning: normal space is taken to be world, but that is not sure"), std::string::npos) << run.err;
 }
 
 TEST(Variations, OnePicture) {
