@@ -23,7 +23,7 @@ TEST_F(HeaderCameras, ScreenUnderEitherName) {
   put("worldToCamera", camera_from_world());
   put("worldToNDC", screen());  // Arnold 5 and 3Delight
   expect_first();
-  header.erase("worldToNDC");
+  forget("worldToNDC");
   put("worldToScreen", screen());
   expect_first();
 }
@@ -31,7 +31,7 @@ TEST_F(HeaderCameras, ScreenUnderEitherName) {
 TEST_F(HeaderCameras, AProjectionAlone) {
   put("worldToNDC", ndc());
   expect_first(1e-4);
-  header.erase("worldToNDC");
+  forget("worldToNDC");
   put("worldToScreen", screen());
   expect_first(1e-4);
 }
@@ -50,7 +50,7 @@ TEST_F(HeaderCameras, OffCentreAndNonSquare) {
   put("worldToCamera", camera_from_world());
   put("worldToNDC", image_from_world({0.25, -0.5}, {0.55, 0.5}));
   expect_first();
-  header.erase("worldToNDC");
+  forget("worldToNDC");
   put("worldToScreen", image_from_world({0.5, 1}, {0.1, 0}));
   expect_first();
 }
@@ -68,7 +68,7 @@ TEST_F(HeaderCameras, AnyTypeOfAttribute) {
   expect_first();
   Imath::M44d matrix;
   std::copy_n(numbers.begin(), 16, &matrix.x[0][0]);
-  header.erase("worldToCamera");
+  forget("worldToCamera");
   header.insert("worldToCamera", Imf::M44dAttribute(matrix));
   expect_first();
 }
@@ -77,21 +77,21 @@ TEST_F(HeaderCameras, FieldsOfView) {
   put("worldToCamera", camera_from_world());
   put("fieldOfViewHorizontal", degrees);
   expect_first();
-  header.erase("fieldOfViewHorizontal");
+  forget("fieldOfViewHorizontal");
   put("fieldOfViewVertical", 2 * std::atan(180 / scale) * 180 / M_PI);
   expect_first();
-  header.erase("fieldOfViewVertical");
+  forget("fieldOfViewVertical");
   header.insert("CameraFov", Imf::IntAttribute(int(degrees)));
   expect_first();
-  header.erase("CameraFov");
+  forget("CameraFov");
   put("focal", 0.5 * 36 * scale / 320);
   put("haperture", 36);
   expect_first();
-  header.erase("focal");
+  forget("focal");
   put("nominalFocalLength", 0.5 * 36 * scale / 320);
   header.insert("sensorOverallDimensions", Imf::V2fAttribute({36, 20.25f}));
   expect_first();
-  header.erase("sensorOverallDimensions");
+  forget("sensorOverallDimensions");
   header.screenWindowWidth() = float(640 / scale);
   expect_first();
   header.screenWindowWidth() = 1;
@@ -102,7 +102,7 @@ TEST_F(HeaderCameras, FieldsOfView) {
 TEST_F(HeaderCameras, OpenGlsViewAndTheCamerasOwnTransform) {
   put("worldToCamera", glm::inverse(truth.world_from_camera));
   expect_among();
-  header.erase("worldToCamera");
+  forget("worldToCamera");
   put("worldToCamera", truth.world_from_camera);
   expect_among();
 }
@@ -121,7 +121,7 @@ TEST_F(HeaderCameras, HostileValuesStateNoCamera) {
        {std::string("{\"world_to_ndc\": [1, 2, 3"), std::string(100000, '[') + "\"world_to_ndc\"", std::string("world_to_ndc"),
         std::string("{\"world_to_ndc\": [1e999,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0]}"), std::string("{\"world_to_ndc\": \"\xff\xfe\"}"),
         std::string("{\"world_to_ndc\": [0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0]}")}) {
-    header.erase("husk:render_stats");
+    forget("husk:render_stats");
     put("husk:render_stats", json);
     EXPECT_TRUE(header_cameras(header, display).empty()) << json.substr(0, 40);
   }

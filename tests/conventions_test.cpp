@@ -275,7 +275,8 @@ TEST(Conventions, RolesOfTheCorpus) {
     const ExrFile file(path);
     const Reading reading = named(file);
     EXPECT_EQ(reading.convention, wrote.at(path.stem().string()));
-    for (const auto& [role, truth] : answer_of(path)["layers"].items()) {
+    const auto answer = answer_of(path);
+    for (const auto& [role, truth] : answer["layers"].items()) {
       if (role == "beauty") continue;
       ASSERT_TRUE(reading.roles.contains(role)) << role;
       EXPECT_EQ(reading.roles.at(role).channels, truth["channels"].get<std::vector<std::string>>()) << role;

@@ -10,6 +10,7 @@
 #include <ImfStringVectorAttribute.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -67,7 +68,7 @@ class MadeUpExr {
       for (std::size_t i = 0; i < pixels; ++i) {
         const double v = value(plain(channel), int(i) % width, int(i) / width);
         floats.back()[i] = float(v);
-        if (whole(channel)) numbers.back()[i] = std::uint32_t(v);
+        if (whole(channel)) numbers.back()[i] = v > 0 ? std::uint32_t(std::min(v, 4294967295.0)) : 0;
       }
       char* const base = whole(channel) ? reinterpret_cast<char*>(numbers.back().data()) : reinterpret_cast<char*>(floats.back().data());
       buffer.insert(plain(channel), Imf::Slice(whole(channel) ? Imf::UINT : Imf::FLOAT, base, 4, stride));
