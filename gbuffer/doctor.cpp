@@ -87,12 +87,15 @@ std::vector<std::uint8_t> mark_findings(const ExrFile& file, const Diagnosis& di
   const Patient patient{file, diagnosis.reading, diagnosis.understood, lights};
   Examination examination(patient);
   std::array<std::uint8_t, 256> finding_of{};
+  bool any = false;
   for (std::size_t k = 0; k < std::min<std::size_t>(diagnosis.findings.size(), 254); ++k) {
     const auto& where = diagnosis.findings[k].where;
     if (!where || where->mark == 0) continue;
     finding_of[where->mark] = std::uint8_t(k + 1);
     examination.mark_in(marks.data(), where->mark);
+    any = true;
   }
+  if (!any) return marks;  // a large frame takes seconds
   examination.look();
   for (std::uint8_t& mark : marks) mark = finding_of[mark];
   return marks;

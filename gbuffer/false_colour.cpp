@@ -21,12 +21,15 @@ using Painter = std::function<Colour(const Components& components, std::size_t i
 
 constexpr Colour vermillion{213, 94, 0}, sky_blue{86, 180, 233}, nothing{40, 40, 40};
 
-std::uint8_t code(double share) { return std::uint8_t(std::lround(255 * std::clamp(share, 0.0, 1.0))); }
+/// 0..1; of NaN, which a range without extent leaves, 0: it has no code.
+double within_range(double share) { return share > 0 ? std::min(share, 1.0) : 0; }
+
+std::uint8_t code(double share) { return std::uint8_t(std::lround(255 * within_range(share))); }
 
 Colour viridis(double share) {
   static constexpr std::array<Colour, 9> steps{
       {{68, 1, 84}, {71, 44, 122}, {59, 81, 139}, {44, 113, 142}, {33, 144, 141}, {39, 173, 129}, {92, 200, 99}, {170, 220, 50}, {253, 231, 37}}};
-  const double at = std::clamp(share, 0.0, 1.0) * (steps.size() - 1);
+  const double at = within_range(share) * (steps.size() - 1);
   const std::size_t k = std::min<std::size_t>(std::size_t(at), steps.size() - 2);
   Colour colour;
   for (std::size_t c = 0; c < 3; ++c) colour[c] = std::uint8_t(std::lround(steps[k][c] + (at - double(k)) * (steps[k + 1][c] - steps[k][c])));

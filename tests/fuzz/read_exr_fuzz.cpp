@@ -10,6 +10,7 @@
 
 #include "gbuffer/doctor.h"
 #include "gbuffer/error.h"
+#include "gbuffer/false_colour.h"
 #include "gbuffer/gbuffer.h"
 #include "gbuffer/object_ids.h"
 
@@ -119,10 +120,12 @@ void read_objects(const ExrFile& file, const ReadingOptions& options) {
     });
 }
 
-/// As `doctor --png` does, without the pictures.
+/// As `doctor --png` does, but that a file which cannot all be decoded is refused here.
 void examine(const ExrFile& file, const ReadingOptions& options) {
   const std::vector<glm::dvec3> lights{{1, 2, 3}};
-  mark_findings(file, diagnose(file, options, lights), lights);
+  const Diagnosis diagnosis = diagnose(file, options, lights);
+  const std::vector<View> views = false_colour_views(file, diagnosis.reading);
+  if (!views.empty()) marked_view(views.front(), diagnosis.reading.data_window, mark_findings(file, diagnosis, lights), std::vector<bool>(256));
 }
 
 /// One way of asking for each file, by its size: all for each would cost the speed. Most say that positions are in camera space: recovering a camera
