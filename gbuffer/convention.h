@@ -8,6 +8,8 @@
 
 namespace relume {
 
+class Samples;
+
 /// Something that shows who wrote a file. Whatever of it is given has to be there; a * at a name's end stands for any ending.
 struct Mark {
   const char* attribute = nullptr;    ///< of any part's header, compared without regard to case: "arnold/*"
@@ -52,9 +54,9 @@ struct Convention {
   /// What --diffuse and --specular auto mean, from the roles there are.
   void (*choose_lobes)(Reading& reading) = nullptr;  ///< null: choose_common_lobes
   /// Settles from the data, before a camera is sought, what the names do not say of the spaces; may be null. After --map and options.
-  void (*settle_space)(const ExrFile& file, const ReadingOptions& options, Reading& reading) = nullptr;
+  void (*settle_space)(Samples& samples, const ReadingOptions& options, Reading& reading) = nullptr;
   /// Settles the rest, with the camera known if there is one (Mitsuba's bump frame); may be null.
-  void (*settle)(const ExrFile& file, const ReadingOptions& options, Reading& reading) = nullptr;
+  void (*settle)(Samples& samples, const ReadingOptions& options, Reading& reading) = nullptr;
 };
 
 const std::vector<Convention>& conventions();

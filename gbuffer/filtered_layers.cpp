@@ -11,6 +11,7 @@
 #include "gbuffer/cryptomatte.h"
 #include "gbuffer/layer_frame.h"
 #include "gbuffer/sample_rows.h"
+#include "gbuffer/samples.h"
 
 namespace relume {
 namespace {
@@ -220,14 +221,14 @@ bool misses_centres(const Reading& reading, const std::vector<Sighting>& mixed, 
 
 }  // namespace
 
-bool looks_filtered(const ExrFile& file, const Reading& reading) {
+bool looks_filtered(Samples& samples, const Reading& reading) {
   if (reading.normal_in_tangent_frame || is_made(reading, "normal")) return false;  // such normals do not tell surfaces apart
-  const std::vector<SampledBand> bands = sample_rows(file, reading, {"normal", "ids"});
+  const std::vector<SampledBand>& bands = samples.bands(reading);
   if (!reading.mean_over_hits && std::none_of(bands.begin(), bands.end(), [&](const SampledBand& band) { return shows_means(reading, band); }))
     return false;
   FilteredLayers::Steps steps;
   std::vector<Sighting> mixed, pure;
-  for (const SampledBand& band : bands) FilteredLayers(file, reading, band.window, {}).look(steps, mixed, pure);
+  for (const SampledBand& band : bands) FilteredLayers(samples.file(), reading, band.window, {}).look(steps, mixed, pure);
   return reading.mean_over_hits ? misses_centres(reading, mixed, pure) : steps.soft > steps.hard;
 }
 

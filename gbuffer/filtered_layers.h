@@ -10,6 +10,8 @@
 
 namespace relume {
 
+class Samples;
+
 class FilteredLayers {
  public:
   /// Pixels that are looked at around one: filters reach 2 pixels, and a surface shows its slope within 2 more.
@@ -91,6 +93,6 @@ class FilteredLayers {
 bool whole_number(double id);
 
 /// Whether pixels are means over several samples: then surfaces meet in mixed pixels rather than abruptly. Looks at a few bands of rows.
-bool looks_filtered(const ExrFile& file, const Reading& reading);
+bool looks_filtered(Samples& samples, const Reading& reading);
 
 }  // namespace relume

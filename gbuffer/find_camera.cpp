@@ -10,7 +10,7 @@
 #include "gbuffer/camera_header.h"
 #include "gbuffer/camera_plane.h"
 #include "gbuffer/layer_frame.h"
-#include "gbuffer/sample_rows.h"
+#include "gbuffer/samples.h"
 
 namespace relume {
 namespace {
@@ -47,11 +47,10 @@ double rounding_of(const Evidence& evidence, const Reading& reading) {
   return spread > 0 ? 0.5 * std::ldexp(size / n, -11) * pixels / spread : 0;  // half of the 11th bit: what rounding leaves
 }
 
-Evidence evidence_of(const ExrFile& file, const Reading& reading) {
+Evidence evidence_of(Samples& samples, const Reading& reading) {
   Evidence evidence;
   if (!reading.roles.contains("position")) return evidence;
-  const auto bands = sample_rows(file, reading, {"position", "normal", "depth", "coverage"});
-  evidence.sightings = clear_sightings(bands, reading, evidence.normals);
+  evidence.sightings = clear_sightings(samples.bands(reading), reading, evidence.normals);
   evidence.agreement = std::max(evidence.agreement, rounding_of(evidence, reading));
   for (Sighting& s : evidence.sightings) s.position = reading.position_scale * in_axes(reading.position_axes, s.position);
   return evidence;
@@ -150,11 +149,11 @@ void lens_of_camera_space(Camera& camera, const Evidence& evidence, const Readin
 }
 
 /// Layers in camera space can only be lit from a world if a camera links the two; without one the camera's space is the world.
-void camera_of_camera_space(const ExrFile& file, const ReadingOptions& options, Reading& reading) {
+void camera_of_camera_space(Samples& samples, const ReadingOptions& options, Reading& reading) {
   if (options.camera) {
     reading.camera = options.camera;
   } else if (!reading.camera || options.recover_camera) {
-    const auto stated = options.recover_camera ? std::vector<Camera>{} : candidates_of(file, reading);
+    const auto stated = options.recover_camera ? std::vector<Camera>{} : candidates_of(samples.file(), reading);
     reading.camera = stated.empty() ? Camera{} : stated.front();
     if (stated.empty()) {
       reading.camera->source = "the space of the layers";
@@ -163,7 +162,7 @@ void camera_of_camera_space(const ExrFile& file, const ReadingOptions& options, 
           "x right, y up, looking along -z (--camera FILE names a camera)");
     }
   }
-  lens_of_camera_space(*reading.camera, evidence_of(file, reading), reading);
+  lens_of_camera_space(*reading.camera, evidence_of(samples, reading), reading);
 }
 
 /// Lens without a place: the camera's own space is the world, as for layers in camera space.
@@ -230,10 +229,11 @@ void recover_or_say_why(const ExrFile& file, const Evidence& evidence, Reading& 
                           " (--camera FILE names a rig, a glTF or another EXR)");
 }
 
-void choose(const ExrFile& file, const ReadingOptions& options, Reading& reading) {
+void choose(Samples& samples, const ReadingOptions& options, Reading& reading) {
+  const ExrFile& file = samples.file();
   if (!reading.roles.contains("position")) return camera_without_positions(file, options, reading);
-  if (reading.position_space == Space::camera) return camera_of_camera_space(file, options, reading);
-  const Evidence evidence = evidence_of(file, reading);
+  if (reading.position_space == Space::camera) return camera_of_camera_space(samples, options, reading);
+  const Evidence evidence = evidence_of(samples, reading);
   if (options.camera) {
     reading.camera = options.camera;
     return check_given(*reading.camera, evidence, reading);
@@ -248,8 +248,8 @@ void choose(const ExrFile& file, const ReadingOptions& options, Reading& reading
 
 }  // namespace
 
-void find_camera(const ExrFile& file, const ReadingOptions& options, Reading& reading) {
-  choose(file, options, reading);
+void find_camera(Samples& samples, const ReadingOptions& options, Reading& reading) {
+  choose(samples, options, reading);
   if (reading.camera) reading.camera->lens = lens_of(*reading.camera, reading.display_window, reading.pixel_aspect);
 }
 

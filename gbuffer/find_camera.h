@@ -5,7 +5,9 @@
 
 namespace relume {
 
+class Samples;
+
 /// Sets reading.camera, or adds a note that says why there is none. A camera that the convention has already set counts as the header's.
-void find_camera(const ExrFile& file, const ReadingOptions& options, Reading& reading);
+void find_camera(Samples& samples, const ReadingOptions& options, Reading& reading);
 
 }  // namespace relume

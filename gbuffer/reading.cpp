@@ -12,6 +12,7 @@
 #include "gbuffer/find_camera.h"
 #include "gbuffer/printable.h"
 #include "gbuffer/role_layers.h"
+#include "gbuffer/samples.h"
 #include "gbuffer/solver/solve.h"
 
 namespace relume {
@@ -210,14 +211,15 @@ Reading understand(const ExrFile& file, const ReadingOptions& options) {
   apply_options(options, reading);
   require_roles(file, options, reading);
   set_windows(file, reading);
-  if (convention.settle_space) convention.settle_space(file, options, reading);
-  solve_before_camera(file, options, reading);
-  find_camera(file, options, reading);
-  solve_with_camera(file, options, reading);
+  Samples samples(file);
+  if (convention.settle_space) convention.settle_space(samples, options, reading);
+  solve_before_camera(samples, options, reading);
+  find_camera(samples, options, reading);
+  solve_with_camera(samples, options, reading);
   note_unsure(reading);
   make_missing(file, reading);
-  if (convention.settle) convention.settle(file, options, reading);
-  reading.filtered = looks_filtered(file, reading);
+  if (convention.settle) convention.settle(samples, options, reading);
+  reading.filtered = looks_filtered(samples, reading);
   return reading;
 }
 

@@ -12,6 +12,7 @@
 
 #include "gbuffer/camera_header.h"
 #include "gbuffer/find_camera.h"
+#include "gbuffer/samples.h"
 #include "tests/made_up_exr.h"
 
 namespace relume {
@@ -62,7 +63,8 @@ class CameraChoice : public testing::Test {
       reading.roles["normal"] = {0, "N", {"N.X", "N.Y", "N.Z"}, {types, types, types}};
     }
     reading.position_space = space;
-    find_camera(file, options, reading);
+    Samples samples(file);
+    find_camera(samples, options, reading);
     return reading;
   }
 

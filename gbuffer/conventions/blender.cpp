@@ -6,6 +6,7 @@
 #include "gbuffer/printable.h"
 #include "gbuffer/reading.h"
 #include "gbuffer/role_layers.h"
+#include "gbuffer/samples.h"
 
 namespace relume {
 namespace {
@@ -45,9 +46,9 @@ void choose_lobes(Reading& reading) {
 }
 
 /// A view layer that shows a bare floor determines no camera, but all view layers were seen by the same one.
-void settle_camera(const ExrFile& file, const ReadingOptions& options, Reading& reading) {
+void settle_camera(Samples& samples, const ReadingOptions& options, Reading& reading) {
   if (reading.camera && !reading.camera->assumed_lens) return;
-  const auto layers = layers_of(file);
+  const auto layers = layers_of(samples.file());
   std::set<std::string> tried{reading.view_layer};
   for (const Layer& layer : layers) {
     if (!tried.insert(layer.view_layer).second) continue;
@@ -60,8 +61,8 @@ void settle_camera(const ExrFile& file, const ReadingOptions& options, Reading& 
       for (const Alias& alias : aliases)
         if (alias.role == std::string(role)) assign(other, named, alias);
     if (!other.roles.contains("position") || !other.roles.contains("normal")) continue;
-    if (file.parts()[std::size_t(other.roles.at("position").part)].data_window != reading.data_window) continue;
-    find_camera(file, options, other);
+    if (samples.file().parts()[std::size_t(other.roles.at("position").part)].data_window != reading.data_window) continue;
+    find_camera(samples, options, other);
     if (!other.camera || other.camera->assumed_lens) continue;
     reading.camera = other.camera;
     reading.camera->source += " of view layer \"" + printable(layer.view_layer) + '"';

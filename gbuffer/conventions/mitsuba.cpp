@@ -7,7 +7,7 @@
 #include "gbuffer/conventions/mitsuba_bump.h"
 #include "gbuffer/reading.h"
 #include "gbuffer/role_layers.h"
-#include "gbuffer/sample_rows.h"
+#include "gbuffer/samples.h"
 
 namespace relume {
 namespace {
@@ -54,14 +54,14 @@ void assign_typed(const ExrFile&, const std::vector<Layer>& layers, Reading& rea
 }
 
 /// Alpha is in a nested integrator's image or beside R G B; an `aov` integrator alone writes zeros there, which say nothing.
-void find_coverage(const ExrFile& file, const ReadingOptions& options, Reading& reading) {
+void find_coverage(Samples& samples, const ReadingOptions& options, Reading& reading) {
   if (options.map.contains("coverage")) return;
-  auto layers = layers_of(file);
+  auto layers = layers_of(samples.file());
   std::stable_partition(layers.begin(), layers.end(), [](const Layer& layer) { return !layer.name.empty(); });
   for (const Layer& layer : layers) {
     if (!layer.component('a') || !layer.component('r')) continue;
     reading.roles["coverage"] = as_role(layer, "coverage");
-    for (const SampledBand& band : sample_rows(file, reading, {"coverage"}))
+    for (const SampledBand& band : samples.bands(reading))
       for (const float value : band.planes.at("coverage"))
         if (value != 0) return;
   }
@@ -69,10 +69,10 @@ void find_coverage(const ExrFile& file, const ReadingOptions& options, Reading& 
 }
 
 /// Whether pixels are means over several samples: fractions of ids, and normals shorter than 1, only come from averaging.
-void settle_filtering(const ExrFile& file, const ReadingOptions& options, Reading& reading) {
-  find_coverage(file, options, reading);
+void settle_filtering(Samples& samples, const ReadingOptions& options, Reading& reading) {
+  find_coverage(samples, options, reading);
   std::int64_t mixed = 0, all = 0;
-  for (const SampledBand& band : sample_rows(file, reading, {"normal", "ids"})) {
+  for (const SampledBand& band : samples.bands(reading)) {
     for (std::int64_t i = 0; i < band.window.pixels(); ++i) {
       const double length = band.has("normal") ? glm::length(decoded_normal(reading, band.vector("normal", i))) : 1;
       if (!(length > 0)) continue;

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "gbuffer/sample_rows.h"
+#include "gbuffer/samples.h"
 
 namespace relume {
 namespace {
@@ -162,12 +162,12 @@ void settle_shadowing(const std::vector<SampledBand>& bands, const ReadingOption
 
 }  // namespace
 
-void settle_mitsuba_bump(const ExrFile& file, const ReadingOptions& options, Reading& reading) {
+void settle_mitsuba_bump(Samples& samples, const ReadingOptions& options, Reading& reading) {
   if (!reading.roles.contains("base_normal") || reading.roles.at("base_normal").channels == reading.roles.at("normal").channels) {
     reading.roles.erase("base_normal");
     return;
   }
-  const auto bands = sample_rows(file, reading, {"position", "normal", "base_normal", "tangent", "ids", "primitive_ids"});
+  const auto& bands = samples.bands(reading, {"tangent", "primitive_ids"});
   const auto shapes = evidence_of(bands);
   std::set<std::uint32_t> local, bumped;
   std::size_t smooth = 0;

@@ -5,7 +5,9 @@
 
 namespace relume {
 
+class Samples;
+
 /// Decides from the data, shape by shape, and notes every verdict with its count. Without a geo_normal layer there is nothing to decide by.
-void settle_mitsuba_bump(const ExrFile& file, const ReadingOptions& options, Reading& reading);
+void settle_mitsuba_bump(Samples& samples, const ReadingOptions& options, Reading& reading);
 
 }  // namespace relume

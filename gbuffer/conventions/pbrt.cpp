@@ -4,6 +4,7 @@
 #include "gbuffer/camera_header.h"
 #include "gbuffer/reading.h"
 #include "gbuffer/role_layers.h"
+#include "gbuffer/samples.h"
 
 namespace relume {
 namespace {
@@ -26,8 +27,8 @@ std::optional<Camera> stored_camera(const ExrFile& file, const Reading& reading)
 }
 
 /// Which space P, N and Ns are in, the file does not say: positions will tell (gbuffer/solver/position_space.cpp), given the camera.
-void settle_space(const ExrFile& file, const ReadingOptions& options, Reading& reading) {
-  reading.camera = stored_camera(file, reading);
+void settle_space(Samples& samples, const ReadingOptions& options, Reading& reading) {
+  reading.camera = stored_camera(samples.file(), reading);
   if (!reading.camera && !options.position_space)
     reading.notes.push_back("no worldToCamera: positions are taken to be in world space (--position-space camera says otherwise)");
   if (!options.normal_space) reading.normal_space = reading.position_space;

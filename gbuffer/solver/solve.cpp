@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "gbuffer/samples.h"
 #include "gbuffer/solver/list.h"
 #include "gbuffer/solver/question.h"
 
@@ -20,15 +21,13 @@ std::string in_words(double number) {
 
 #define RELUME_ASK(name) ask_##name(asked, reading);
 
-void solve_before_camera(const ExrFile& file, const ReadingOptions& options, Reading& reading) {
-  const auto bands = sample_rows(file, reading, {"position", "normal", "depth", "coverage"});
-  const Asked asked{file, bands, options};
+void solve_before_camera(Samples& samples, const ReadingOptions& options, Reading& reading) {
+  const Asked asked{samples.file(), samples.bands(reading), options};
   RELUME_QUESTIONS_BEFORE_CAMERA(RELUME_ASK)
 }
 
-void solve_with_camera(const ExrFile& file, const ReadingOptions& options, Reading& reading) {
-  const auto bands = sample_rows(file, reading, {"position", "normal", "base_normal", "depth", "coverage", "ids"});
-  const Asked asked{file, bands, options};
+void solve_with_camera(Samples& samples, const ReadingOptions& options, Reading& reading) {
+  const Asked asked{samples.file(), samples.bands(reading), options};
   RELUME_QUESTIONS_WITH_CAMERA(RELUME_ASK)
 }
 

@@ -5,10 +5,12 @@
 
 namespace relume {
 
+class Samples;
+
 /// What has to be known before a camera can be sought: the encoding of normals, the space of positions.
-void solve_before_camera(const ExrFile& file, const ReadingOptions& options, Reading& reading);
+void solve_before_camera(Samples& samples, const ReadingOptions& options, Reading& reading);
 
 /// What the camera helps to tell: premultiplication, the kind of depth, the space and axes of normals.
-void solve_with_camera(const ExrFile& file, const ReadingOptions& options, Reading& reading);
+void solve_with_camera(Samples& samples, const ReadingOptions& options, Reading& reading);
 
 }  // namespace relume
