@@ -266,7 +266,7 @@ void Relight::shade_and_write() {
     watch_.lap("write");
   }
   if (summary_.bad_pixels)
-    note(std::to_string(summary_.bad_pixels) + " pixels have a NaN or infinite position or normal: written as showing no surface");
+    note("warning: " + std::to_string(summary_.bad_pixels) + " pixels have a NaN or infinite position or normal: written as showing no surface");
   if (const std::string sentence = mixed_pixels_.sentence(summary_.surface_pixels); !sentence.empty()) note(sentence);
   // The picture first: where it cannot be written, the image is not either.
   if (job_.png) write_png(*job_.png, picture, job_.exposure, job_.format.overwrite);
