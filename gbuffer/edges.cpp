@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "gbuffer/filtered_layers.h"
+#include "gbuffer/layer_frame.h"
 #include "gbuffer/layer_values.h"
 
 namespace relume {
@@ -29,8 +30,10 @@ struct Neighbourhood {
       return layer == reading.roles.end() ? std::vector<float>() : layer_values(file, layer->second, window);
     };
     normals = values("normal"), ids = values("ids"), alpha = values("coverage");
-    if (reading.normal_encoding == NormalEncoding::as_unsigned)
-      for (float& v : normals) v = v == 0 ? 0 : 2 * v - 1;
+    for (std::size_t i = 0; i < normals.size(); i += 3) {
+      const glm::dvec3 decoded = decoded_normal(reading, {normals[i], normals[i + 1], normals[i + 2]});
+      for (int c = 0; c < 3; ++c) normals[i + std::size_t(c)] = float(decoded[c]);
+    }
   }
 
   std::size_t index(int x, int y) const { return std::size_t(y - window.min_y) * std::size_t(window.width()) + std::size_t(x - window.min_x); }

@@ -118,11 +118,11 @@ void FilteredLayers::read(const ExrFile& file, const Reading& reading) {
   if (reading.normal_encoding == NormalEncoding::as_signed) return;
   for (const Layer& layer : layers_)
     if (layer.role == "normal" || layer.role == "base_normal")
-      for (std::size_t i = 0; i < std::size_t(window_.pixels()); ++i)
-        for (int c = 0; c < 3; ++c) {
-          float& v = values_[i * std::size_t(components_) + std::size_t(layer.first + c)];
-          v = v == 0 ? 0 : 2 * v - 1;
-        }
+      for (std::size_t i = 0; i < std::size_t(window_.pixels()); ++i) {
+        float* const stored = values_.data() + i * std::size_t(components_) + std::size_t(layer.first);
+        const glm::dvec3 decoded = decoded_normal(reading, {stored[0], stored[1], stored[2]});
+        for (int c = 0; c < 3; ++c) stored[c] = float(decoded[c]);
+      }
 }
 
 glm::dvec3 FilteredLayers::vector(const Layer& layer, std::size_t i) const {

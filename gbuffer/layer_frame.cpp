@@ -34,6 +34,10 @@ std::string text_of(const Axes& axes) {
   return text;
 }
 
+dvec3 decoded_normal(const Reading& reading, const dvec3& stored) {
+  return reading.normal_encoding == NormalEncoding::as_signed || stored == dvec3(0) ? stored : 2.0 * stored - 1.0;
+}
+
 LayerFrame::LayerFrame(const Reading& reading) : reading_(reading) {
   if (reading.camera) {
     world_from_camera_ = reading.camera->world_from_camera;
@@ -42,10 +46,6 @@ LayerFrame::LayerFrame(const Reading& reading) : reading_(reading) {
   }
   plain_normals_ = reading.normal_space == Space::world && reading.normal_axes == Axes{};
   plain_positions_ = reading.position_space == Space::world && reading.position_axes == Axes{} && reading.position_scale == 1;
-}
-
-dvec3 LayerFrame::decoded(const dvec3& stored) const {
-  return reading_.normal_encoding == NormalEncoding::as_signed || stored == dvec3(0) ? stored : 2.0 * stored - 1.0;
 }
 
 dvec3 LayerFrame::direction_in_world(const dvec3& decoded, const dvec3& position) const {

@@ -19,6 +19,9 @@ glm::dvec3 in_axes(const Axes& axes, const glm::dvec3& stored);
 /// The same as a matrix.
 glm::dmat3 matrix_of(const Axes& axes);
 
+/// The normal as a direction in the layer's own space: decoded, not normalised; zero where none is stored.
+glm::dvec3 decoded_normal(const Reading& reading, const glm::dvec3& stored);
+
 /// "x,-y,z", as the options take it.
 std::string text_of(const Axes& axes);
 
@@ -26,8 +29,7 @@ class LayerFrame {
  public:
   explicit LayerFrame(const Reading& reading);
 
-  /// The normal as a direction in the layer's own space: decoded, not normalised; zero where none is stored.
-  glm::dvec3 decoded(const glm::dvec3& stored) const;
+  glm::dvec3 decoded(const glm::dvec3& stored) const { return decoded_normal(reading_, stored); }
   /// The direction (any length) in the world, of a surface at `position` (world).
   glm::dvec3 direction_in_world(const glm::dvec3& decoded, const glm::dvec3& position) const;
   /// A stored position, already divided by its coverage, in the world.

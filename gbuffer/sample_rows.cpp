@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "gbuffer/layer_frame.h"
+
 namespace relume {
 namespace {
 
@@ -86,11 +88,6 @@ std::vector<SampledBand> sample_rows(const ExrFile& file, const Reading& reading
     bands.push_back(std::move(band));
   }
   return bands;
-}
-
-glm::dvec3 decoded_normal(const Reading& reading, const glm::dvec3& stored) {
-  if (reading.normal_encoding == NormalEncoding::as_signed || stored == glm::dvec3(0)) return stored;
-  return 2.0 * stored - 1.0;
 }
 
 std::vector<Sighting> clear_sightings(const std::vector<SampledBand>& bands, const Reading& reading, std::vector<glm::dvec3>& normals) {

@@ -29,9 +29,6 @@ struct SampledBand {
 /// The whole data window if it is small, else bands of 8 rows: about a hundred thousand pixels. Values are as stored.
 std::vector<SampledBand> sample_rows(const ExrFile& file, const Reading& reading, const std::vector<std::string>& roles);
 
-/// The normal as a direction, decoded but not normalised; zero where none is stored.
-glm::dvec3 decoded_normal(const Reading& reading, const glm::dvec3& stored);
-
 /// Pixels whose surface is clear: unmixed, and so are their neighbours. At most a few thousand, with positions as stored.
 /// `normals` receives the normals, in the same order; zeros where there is no normal layer.
 std::vector<Sighting> clear_sightings(const std::vector<SampledBand>& bands, const Reading& reading, std::vector<glm::dvec3>& normals);

@@ -229,5 +229,23 @@ TEST(GBuffer, UnsignedNormalsAreDecoded) {
   EXPECT_EQ(l.g.surface_pixels, 16 * 12);
 }
 
+/// A component of -1 is stored as 0, which is not "no normal" while the others are not 0 as well.
+TEST(GBuffer, UnsignedNormalsAlongAnAxisStayWhereLayersAreMeans) {
+  const MadeUpExr made({{"", "", {"N.R", "N.G", "N.B", "P.X", "P.Y", "P.Z", "id"}}}, 16, 16, [](const std::string& channel, int x, int y) {
+    if (channel == "id") return x == 3 ? 1.5 : 1.0;  // a mean of ids
+    if (!channel.starts_with("N")) return made_up(channel, x, y);
+    return channel == "N.R" ? 0.0 : 0.5;
+  });
+  ReadingOptions options;
+  options.normal_encoding = NormalEncoding::as_unsigned;
+  options.normal_space = Space::world;
+  options.normal_axes = Axes{};
+  options.premultiplied = true;
+  const Loaded l(made.file, {"ids"}, options);
+  EXPECT_EQ(l.vector(l.g.normal, 0), glm::dvec3(-1, 0, 0));
+  EXPECT_EQ(l.g.surface_pixels, 16 * 16);
+  EXPECT_EQ(l.g.ids[3], 1u);
+}
+
 }  // namespace
 }  // namespace relume

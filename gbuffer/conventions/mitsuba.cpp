@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "gbuffer/conventions/mitsuba_bump.h"
+#include "gbuffer/layer_frame.h"
 #include "gbuffer/reading.h"
 #include "gbuffer/role_layers.h"
 #include "gbuffer/samples.h"
