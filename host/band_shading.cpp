@@ -38,9 +38,12 @@ void BandShading::add_irradiance(GBuffer& gbuffer, Irradiance& irradiance, const
   frame.diffuse = frame.specular = frame.ambient_out = -1;
   frame.program = 0;
   binding_.bind_irradiance(gbuffer, frame);
-  const auto band = device_.bind({&gbuffer.planes, lights_.records(), binding_.tables(), &out});
+  LightLists lists;
+  const std::vector<int> starts = list_lights(gbuffer, frame, lists);
+  const auto band = device_.bind({&gbuffer.planes, lights_.records(), lists.numbers(), binding_.tables(), &out});
   for (std::size_t g = 0; g < groups.size(); ++g) {
     std::copy(groups[g].begin.begin(), groups[g].begin.end(), frame.light_begin);
+    frame.lists = starts[g];
     frame.total = 3 * int(g);
     band->shade({DIFFUSE_lambert, SPECULAR_none, 0, 0, 0}, frame, progress);
   }
@@ -60,10 +63,14 @@ void BandShading::shade(GBuffer& gbuffer, Planes& out, Stopwatch& watch, const P
   Frame bound = frame_of(gbuffer, out);
   binding_.bind(gbuffer, *reading_.camera, bound);
   watch.lap("bind");
-  const auto band = device_.bind({&gbuffer.planes, lights_.records(), binding_.tables(), &out});
+  LightLists lists;
+  const std::vector<int> starts = list_lights(gbuffer, bound, lists);
+  watch.lap("cull");
+  const auto band = device_.bind({&gbuffer.planes, lights_.records(), lists.numbers(), binding_.tables(), &out});
   for (std::size_t g = 0; g < lights_.groups().size(); ++g) {
     Frame frame = bound;
     aim(frame, g);
+    frame.lists = starts[g];
     shade_programs(*band, frame, progress);
   }
   if (layout_.lights >= 0) shade_lights(*band, bound, progress);
@@ -72,6 +79,15 @@ void BandShading::shade(GBuffer& gbuffer, Planes& out, Stopwatch& watch, const P
   if (lights_.groups().size() == 1) return;
   add_linked(gbuffer, out, bound);
   watch.lap("link");
+}
+
+/// Each group's Frame::lists.
+std::vector<int> BandShading::list_lights(const GBuffer& gbuffer, const Frame& frame, LightLists& lists) const {
+  const std::size_t most = gbuffer.planes.bytes() / sizeof(int) / 4;  // a quarter of the memory that the band itself takes
+  std::vector<int> starts;
+  for (const LightGroup& group : lights_.groups())
+    starts.push_back(lists.add(gbuffer.planes, frame, gbuffer.window.width(), lights_.records(), group.begin, most));
+  return starts;
 }
 
 /// The lights of a group, and where their light goes: the first's into the layout's own planes, each other's behind them.

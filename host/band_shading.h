@@ -8,6 +8,7 @@
 #include "host/binding.h"
 #include "host/device.h"
 #include "host/light_links.h"
+#include "host/light_lists.h"
 #include "host/output_layout.h"
 #include "host/stopwatch.h"
 
@@ -41,6 +42,7 @@ class BandShading {
  private:
   int linked_planes() const { return int(lights_.groups().size() - 1) * layout_.colours() * 3; }
   Frame frame_of(const GBuffer& gbuffer, const Planes& out) const;
+  std::vector<int> list_lights(const GBuffer& gbuffer, const Frame& frame, LightLists& lists) const;
   void aim(Frame& frame, std::size_t group) const;
   void shade_programs(Band& band, Frame& frame, const Progress& progress) const;
   void shade_lights(Band& band, Frame frame, const Progress& progress) const;

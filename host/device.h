@@ -29,6 +29,7 @@ struct DeviceInfo {
 struct BandData {
   const Planes* planes;
   std::span<const LightRecord> lights;  ///< sorted by type
+  std::span<const int> lists;           ///< LightLists::numbers(), where Frame::lists says so
   std::span<const float> tables;
   Planes* out;
 };

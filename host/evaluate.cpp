@@ -111,7 +111,7 @@ Planes shade_rows(RowBand& rows, const Binding& binding, const std::string& sele
   Planes out(gbuffer.planes.pixels(), 6);
   out.add(6);
   frame.out_stride = int(out.stride());
-  const auto band = device->bind({&gbuffer.planes, {}, binding.tables(), &out});
+  const auto band = device->bind({&gbuffer.planes, {}, {}, binding.tables(), &out});
   band->evaluate(binding.programs().front(), frame);
   band->finish();
   return out;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <glm/trigonometric.hpp>
+#include <limits>
 
 namespace relume {
 namespace {
@@ -26,6 +27,8 @@ LightRecord record_of(const Light& light) {
   const double inner = glm::radians(light.inner_angle), outer = glm::radians(light.outer_angle);
   r.inner = float(light.cone == Cone::linear ? inner : std::cos(inner));
   r.outer = float(light.cone == Cone::linear ? outer : std::cos(outer));
+  const bool bounded = light.type != LightType::directional && (light.falloff == Falloff::windowed || light.falloff == Falloff::linear);
+  r.reach = bounded ? r.range * 1.0001f : std::numeric_limits<float>::infinity();
   return r;
 }
 

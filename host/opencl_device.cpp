@@ -11,7 +11,7 @@
 namespace relume {
 namespace {
 
-using Kernel = cl::KernelFunctor<cl::Buffer, cl::Buffer, cl::Buffer, cl::Buffer, cl::Buffer, cl_int>;
+using Kernel = cl::KernelFunctor<cl::Buffer, cl::Buffer, cl::Buffer, cl::Buffer, cl::Buffer, cl::Buffer, cl_int>;
 
 /// Work-items in a work-group on a CPU: enough to hide the scheduler's lock, few enough that one local size serves every launch (PoCL compiles anew
 /// for each).
@@ -60,6 +60,7 @@ class OpenClBand : public Band {
         data_(data),
         planes_(over(device.context(), CL_MEM_READ_ONLY, data.planes->data(), data.planes->bytes())),
         lights_(over(device.context(), CL_MEM_READ_ONLY, data.lights.data(), data.lights.size_bytes())),
+        lists_(over(device.context(), CL_MEM_READ_ONLY, data.lists.data(), data.lists.size_bytes())),
         tables_(over(device.context(), CL_MEM_READ_ONLY, data.tables.data(), data.tables.size_bytes())),
         out_(over(device.context(), CL_MEM_READ_WRITE, data.out->data(), data.out->bytes())) {}
 
@@ -90,7 +91,7 @@ class OpenClBand : public Band {
     for (std::int64_t first = 0; first < frame.pixels; first += slice) {
       const std::int64_t pixels = std::min<std::int64_t>(slice, frame.pixels - first);
       const std::size_t items = std::size_t((pixels + unit - 1) / unit * local);
-      kernel(cl::EnqueueArgs(device_.queue(), cl::NDRange(items), cl::NDRange(std::size_t(local))), planes_, constants, lights_, tables_, out_,
+      kernel(cl::EnqueueArgs(device_.queue(), cl::NDRange(items), cl::NDRange(std::size_t(local))), planes_, constants, lights_, lists_, tables_, out_,
              cl_int(first));
       device_.queue().finish();
       beat();
@@ -102,7 +103,7 @@ class OpenClBand : public Band {
 
   OpenClDevice& device_;
   BandData data_;
-  cl::Buffer planes_, lights_, tables_, out_;
+  cl::Buffer planes_, lights_, lists_, tables_, out_;
 };
 
 std::unique_ptr<Band> OpenClDevice::bind(const BandData& data) try {

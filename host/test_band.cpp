@@ -155,7 +155,7 @@ Planes shade_test_band(Device& device, const Choice& choice, TestRange range, in
   Planes out(std::size_t(pixels), test_planes);
   out.add(test_planes);
   band.frame.out_stride = int(out.stride());
-  const auto bound = device.bind({&band.planes, band.lights, band.tables, &out});
+  const auto bound = device.bind({&band.planes, band.lights, {}, band.tables, &out});
   bound->shade(choice, band.frame, {});
   bound->finish();
   return out;

@@ -10,13 +10,15 @@
 
 namespace relume {
 
-using ShadeRange = void (*)(const Choice&, const float*, const Frame&, const LightRecord*, const float*, float*, int, int);
+using ShadeRange = void (*)(const Choice&, const float*, const Frame&, const LightRecord*, const int*, const float*, float*, int, int);
+using BoundCell = void (*)(const float*, const Frame&, const int*, int, PixelBounds&);
 using EvaluateRange = void (*)(const Choice&, const float*, const Frame&, const float*, float*, int, int);
 
-#define RELUME_TWIN(lanes)                                                                                         \
-  namespace lanes {                                                                                                \
-  void shade_range(const Choice&, const float*, const Frame&, const LightRecord*, const float*, float*, int, int); \
-  void evaluate_range(const Choice&, const float*, const Frame&, const float*, float*, int, int);                  \
+#define RELUME_TWIN(lanes)                                                                                                     \
+  namespace lanes {                                                                                                            \
+  void shade_range(const Choice&, const float*, const Frame&, const LightRecord*, const int*, const float*, float*, int, int); \
+  void evaluate_range(const Choice&, const float*, const Frame&, const float*, float*, int, int);                              \
+  void bound_cell(const float*, const Frame&, const int*, int, PixelBounds&);                                                  \
   }
 RELUME_TWIN(lanes1)
 RELUME_TWIN(lanes4)
@@ -29,20 +31,22 @@ struct Compilation {
   int lanes;
   ShadeRange shade;
   EvaluateRange evaluate;
+  BoundCell bound;
   bool runs_here;
 };
 
 const std::vector<Compilation>& compilations() {
 #if defined(__x86_64__)
-  static const std::vector<Compilation> all{{1, lanes1::shade_range, lanes1::evaluate_range, true},
-                                            {4, lanes4::shade_range, lanes4::evaluate_range, true},
-                                            {8, lanes8::shade_range, lanes8::evaluate_range, bool(__builtin_cpu_supports("avx2"))},
-                                            {16, lanes16::shade_range, lanes16::evaluate_range, bool(__builtin_cpu_supports("avx512f"))}};
+  static const std::vector<Compilation> all{
+      {1, lanes1::shade_range, lanes1::evaluate_range, lanes1::bound_cell, true},
+      {4, lanes4::shade_range, lanes4::evaluate_range, lanes4::bound_cell, true},
+      {8, lanes8::shade_range, lanes8::evaluate_range, lanes8::bound_cell, __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")},
+      {16, lanes16::shade_range, lanes16::evaluate_range, lanes16::bound_cell, bool(__builtin_cpu_supports("avx512f"))}};
 #else
-  static const std::vector<Compilation> all{{1, lanes1::shade_range, lanes1::evaluate_range, true},
-                                            {4, lanes4::shade_range, lanes4::evaluate_range, true},
-                                            {8, lanes8::shade_range, lanes8::evaluate_range, true},
-                                            {16, lanes16::shade_range, lanes16::evaluate_range, true}};
+  static const std::vector<Compilation> all{{1, lanes1::shade_range, lanes1::evaluate_range, lanes1::bound_cell, true},
+                                            {4, lanes4::shade_range, lanes4::evaluate_range, lanes4::bound_cell, true},
+                                            {8, lanes8::shade_range, lanes8::evaluate_range, lanes8::bound_cell, true},
+                                            {16, lanes16::shade_range, lanes16::evaluate_range, lanes16::bound_cell, true}};
 #endif
   return all;
 }
@@ -59,7 +63,8 @@ class TwinBand : public Band {
       const std::int64_t last = std::min<std::int64_t>(first + slice, frame.pixels);
       tbb::parallel_for(tbb::blocked_range<std::int64_t>(first / unit, (last + unit - 1) / unit), [&](const auto& range) {
         const int begin = int(range.begin() * unit), end = int(std::min<std::int64_t>(range.end() * unit, last));
-        compilation_.shade(choice, data_.planes->data(), frame, data_.lights.data(), data_.tables.data(), data_.out->data(), begin, end);
+        compilation_.shade(choice, data_.planes->data(), frame, data_.lights.data(), data_.lists.data(), data_.tables.data(), data_.out->data(),
+                           begin, end);
       });
       if (progress) progress(last - first);
     }
@@ -103,6 +108,16 @@ std::vector<int> twin_lanes() {
   for (const Compilation& c : compilations())
     if (c.runs_here) lanes.push_back(c.lanes);
   return lanes;
+}
+
+void bound_cell(const float* planes, const Frame& frame, const int* blocks, int count, PixelBounds& bounds) {
+  static const BoundCell widest = [] {
+    BoundCell found = nullptr;
+    for (const Compilation& c : compilations())
+      if (c.runs_here) found = c.bound;
+    return found;
+  }();
+  widest(planes, frame, blocks, count, bounds);
 }
 
 std::unique_ptr<Device> open_twin(int lanes) {

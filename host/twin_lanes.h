@@ -11,14 +11,20 @@
 namespace relume {
 namespace RELUME_TWIN_JOIN(lanes, RELUME_LANES) {
   namespace {
+#include "kernels/bounds.h"
 #include "kernels/evaluate.h"
 #include "kernels/shade.h"
   }  // namespace
 
   /// Pixels [first, last), first a multiple of the lanes; see kernels/shade.h.
-  void shade_range(const Choice& choice, const float* planes, const Frame& frame, const LightRecord* lights, const float* tables, float* out,
-                   int first, int last) {
-    for (int i = first; i < last; i += RELUME_LANES) shade_pixels(choice, planes, &frame, lights, tables, out, i);
+  void shade_range(const Choice& choice, const float* planes, const Frame& frame, const LightRecord* lights, const int* lists, const float* tables,
+                   float* out, int first, int last) {
+    for (int i = first; i < last; i += RELUME_LANES) shade_pixels(choice, planes, &frame, lights, lists, tables, out, i);
+  }
+
+  /// See kernels/bounds.h.
+  void bound_cell(const float* planes, const Frame& frame, const int* blocks, int count, PixelBounds& bounds) {
+    bound_blocks(planes, &frame, blocks, count, &bounds);
   }
 
   /// Rows [first, last); see kernels/evaluate.h.

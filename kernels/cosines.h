@@ -10,6 +10,10 @@
 
 #include "kernels/vector.h"
 
+/// The members of Cosines.
+#define RELUME_COSINES(MEMBER) \
+  MEMBER(n_l) MEMBER(n_v) MEMBER(l_v) MEMBER(sum2) MEMBER(across2) MEMBER(along2) MEMBER(tan2_h) MEMBER(chord2) MEMBER(r_l)
+
 typedef struct {
   real n_l, n_v, l_v;
   real sum2;     // |v+l|^2, in 0..4
@@ -27,15 +31,15 @@ RELUME_FN Cosines cosines_of(real3 n, real3 l, real3 v) {
   c.l_v = dot3(l, v);
   const real3 sum = add3(l, v);
   const real along = c.n_l + c.n_v;
-  const real3 across = subtract3(sum, scale3(n, along));
-  const real3 chord = subtract3(sum, scale3(n, 2.0f * c.n_v));
+  const real3 across = add_scaled3(sum, n, -along);
+  const real3 chord = add_scaled3(sum, n, -2.0f * c.n_v);
   c.sum2 = dot3(sum, sum);
   c.across2 = dot3(across, across);
   c.along2 = along * along;
   // At the most grazing angles along2 is 0, and where l = -v both are: 1e30 stands for infinity, so that no lobe divides infinities.
   c.tan2_h = smaller(c.across2 / c.along2, all_lanes(1e30f));
   c.chord2 = dot3(chord, chord);
-  c.r_l = 2.0f * c.n_l * c.n_v - c.l_v;
+  c.r_l = fused(2.0f * c.n_l, c.n_v, -c.l_v);
   return c;
 }
 

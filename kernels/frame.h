@@ -9,6 +9,9 @@ enum { FALLOFF_inverse_square, FALLOFF_windowed, FALLOFF_linear, FALLOFF_none };
 enum { WIDTH_alpha, WIDTH_roughness, WIDTH_exponent, WIDTH_chord_exponent };
 enum { CONE_gltf, CONE_smoothstep, CONE_linear };
 
+/// Pixels that share a list of lights: the most that any device shades at once.
+#define RELUME_LISTED_PIXELS 16
+
 /// 64 bytes: one light. A type ignores what it does not need.
 typedef struct {
   float position[3];   // world
@@ -20,7 +23,7 @@ typedef struct {
   float inner;         // cosine of the inner half-angle; cone linear: the angle, radians
   int falloff;
   int cone;
-  int padding;
+  float reach;  // the least distance from which nothing arrives, with a margin of 1e-4 for rounding; infinity where light arrives from anywhere
 } LightRecord;
 
 #define RELUME_FIELD_NUMBER(name, ...) FIELD_##name,
@@ -32,6 +35,14 @@ typedef struct {
   int step;            // floats from a pixel to the next: 1 or 0
   int component_step;  // floats from a component to the next
 } Field;
+
+/// Of some pixels that show a surface: positions within a box, normals within another. Nothing where low > high.
+typedef struct {
+  float low[3], high[3];                // positions, world
+  float normal_low[3], normal_high[3];  // as shaded: turned towards the viewer where the surface has two sides
+  float reference[3];                   // a point near them, q
+  float deepest;                        // least n.(p - q)
+} PixelBounds;
 
 typedef struct {
   int pixels;         // in this band, without padding
@@ -48,6 +59,7 @@ typedef struct {
   int node_count;
   int width_rule;                             // WIDTH_*: where the specular lobe's width is found
   int light_begin[LIGHT_COUNT + 1];           // lights are sorted by type: [begin[t], begin[t + 1])
+  int lists;                                  // where in the lists the blocks' own lights are told (host/light_lists.h); 0: every light is met
   int total, diffuse, specular, ambient_out;  // plane indices in the output, 3 planes each; -1: not wanted
   int out_stride;                             // floats from one output plane to the next
   Field field[FIELD_COUNT];

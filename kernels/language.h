@@ -2,8 +2,8 @@
 //
 // Kernels are written once over lanes: `real` is RELUME_LANES floats side by side (1, 4, 8 or 16), `real3` a struct of three reals, `integer`
 // as many ints, `mask` what a comparison of reals gives. The contract that makes PoCL and C++ agree to the last bit:
-//   1. exact operations only: + - * / comparisons, square_root, whole_below; no fma, dot, normalize, exp, pow, native_*: our own are in
-//      vector.h and math.h, spelt out so that both compilers round alike;
+//   1. exact operations only: + - * / comparisons, square_root, whole_below, and fused (a b + c rounded once), where it is written; no dot,
+//      normalize, exp, pow, native_*: our own are in vector.h and math.h, spelt out so that both compilers round alike;
 //   2. contraction is off in both (the pragma below; -ffp-contract=off for the library);
 //   3. what crosses to the host is int and float in the structs of frame.h, never a vector type;
 //   4. choice is by `choose`, not by branches, wherever lanes may differ.
@@ -17,7 +17,7 @@
 #ifdef RELUME_OPENCL
 #pragma OPENCL FP_CONTRACT OFF
 
-#define RELUME_FN static inline
+#define RELUME_FN static inline __attribute__((always_inline))
 #define RELUME_GLOBAL __global
 
 #if RELUME_LANES == 1
@@ -29,7 +29,6 @@ typedef int integer;
 #define RELUME_TO_INTEGER(x) convert_int(x)
 #define RELUME_LOAD(p) (*(p))
 #define RELUME_STORE(x, p) (*(p) = (x))
-#define RELUME_ANY(m) (m)
 #else
 #define RELUME_JOIN_(a, b) a##b
 #define RELUME_JOIN(a, b) RELUME_JOIN_(a, b)
@@ -41,13 +40,14 @@ typedef RELUME_JOIN(int, RELUME_LANES) integer;
 #define RELUME_TO_INTEGER(x) RELUME_JOIN(convert_int, RELUME_LANES)(x)
 #define RELUME_LOAD(p) RELUME_JOIN(vload, RELUME_LANES)(0, p)
 #define RELUME_STORE(x, p) RELUME_JOIN(vstore, RELUME_LANES)(x, 0, p)
-#define RELUME_ANY(m) any(m)
 #endif
 typedef integer mask;  // 1 or 0 in one lane, -1 or 0 in several: combine with & | !, test with any_of, use with choose
 
 /// `a` where the mask holds, else `b`.
 RELUME_FN real choose(mask m, real a, real b) { return select(b, a, m); }
 RELUME_FN integer choose_integer(mask m, integer a, integer b) { return select(b, a, m); }
+/// a b + c, rounded once.
+RELUME_FN real fused(real a, real b, real c) { return fma(a, b, c); }
 RELUME_FN real square_root(real x) { return sqrt(x); }
 RELUME_FN real whole_below(real x) { return floor(x); }
 RELUME_FN real absolute(real x) { return fabs(x); }
@@ -57,9 +57,42 @@ RELUME_FN real to_real(integer x) { return RELUME_TO_REAL(x); }
 /// Towards zero; the caller keeps x within int's range.
 RELUME_FN integer to_integer(real x) { return RELUME_TO_INTEGER(x); }
 RELUME_FN real all_lanes(float x) { return (real)(x); }
-RELUME_FN int any_of(mask m) { return RELUME_ANY(m); }
 RELUME_FN real load(RELUME_GLOBAL const float* p) { return RELUME_LOAD(p); }
 RELUME_FN void store(real x, RELUME_GLOBAL float* p) { RELUME_STORE(x, p); }
+/// Of all lanes.
+RELUME_FN float least_of(real x) {
+#if RELUME_LANES == 16
+  const float8 eight = min(x.lo, x.hi);
+  const float4 four = min(eight.lo, eight.hi);
+#elif RELUME_LANES == 8
+  const float4 four = min(x.lo, x.hi);
+#elif RELUME_LANES == 4
+  const float4 four = x;
+#endif
+#if RELUME_LANES == 1
+  return x;
+#else
+  const float2 two = min(four.lo, four.hi);
+  return min(two.x, two.y);
+#endif
+}
+/// 1 where the mask holds in any lane, else 0. By halves rather than by any(), which PoCL turns into a branch for each lane.
+RELUME_FN int any_of(mask m) {
+#if RELUME_LANES == 16
+  const int8 eight = m.lo | m.hi;
+  const int4 four = eight.lo | eight.hi;
+#elif RELUME_LANES == 8
+  const int4 four = m.lo | m.hi;
+#elif RELUME_LANES == 4
+  const int4 four = m;
+#endif
+#if RELUME_LANES == 1
+  return m;
+#else
+  const int2 two = four.lo | four.hi;
+  return (two.x | two.y) != 0;
+#endif
+}
 /// table[index], lane by lane.
 RELUME_FN real gather(RELUME_GLOBAL const float* table, integer index) {
 #if RELUME_LANES == 1

@@ -27,17 +27,23 @@ RELUME_FN void store(real x, float* p) { __builtin_memcpy(p, &x, sizeof x); }
 #if RELUME_LANES == 1
 RELUME_FN real all_lanes(float x) { return x; }
 RELUME_FN real square_root(real x) { return __builtin_sqrtf(x); }
+RELUME_FN real fused(real a, real b, real c) { return __builtin_fmaf(a, b, c); }
 RELUME_FN real whole_below(real x) { return __builtin_floorf(x); }
 RELUME_FN real absolute(real x) { return __builtin_fabsf(x); }
 RELUME_FN real to_real(integer x) { return static_cast<float>(x); }
 RELUME_FN integer to_integer(real x) { return static_cast<int>(x); }
 RELUME_FN int any_of(mask m) { return m; }
+RELUME_FN float least_of(real x) { return x; }
 RELUME_FN real gather(const float* table, integer index) { return table[index]; }
 #else
 RELUME_FN real all_lanes(float x) { return real{} + x; }
 RELUME_FN real square_root(real x) {
   for (int lane = 0; lane < RELUME_LANES; ++lane) x[lane] = __builtin_sqrtf(x[lane]);
   return x;
+}
+RELUME_FN real fused(real a, real b, real c) {
+  for (int lane = 0; lane < RELUME_LANES; ++lane) a[lane] = __builtin_fmaf(a[lane], b[lane], c[lane]);
+  return a;
 }
 RELUME_FN real whole_below(real x) {
   for (int lane = 0; lane < RELUME_LANES; ++lane) x[lane] = __builtin_floorf(x[lane]);
@@ -49,7 +55,27 @@ RELUME_FN integer to_integer(real x) { return __builtin_convertvector(x, integer
 RELUME_FN int any_of(mask m) {
   int any = 0;
   for (int lane = 0; lane < RELUME_LANES; ++lane) any |= m[lane];
-  return any;
+  return any != 0;
+}
+/// By halves, each a vector of its own.
+#define RELUME_LEAST_OF_HALVES(lanes, x)                                                   \
+  typedef float Half##lanes __attribute__((vector_size(lanes / 2 * sizeof(float))));       \
+  Half##lanes low##lanes, high##lanes;                                                     \
+  __builtin_memcpy(&low##lanes, &x, sizeof low##lanes);                                    \
+  __builtin_memcpy(&high##lanes, (const char*)&x + sizeof low##lanes, sizeof high##lanes); \
+  low##lanes = high##lanes < low##lanes ? high##lanes : low##lanes;
+RELUME_FN float least_of(real x) {
+#if RELUME_LANES == 16
+  RELUME_LEAST_OF_HALVES(16, x)
+  RELUME_LEAST_OF_HALVES(8, low16)
+  RELUME_LEAST_OF_HALVES(4, low8)
+#elif RELUME_LANES == 8
+  RELUME_LEAST_OF_HALVES(8, x)
+  RELUME_LEAST_OF_HALVES(4, low8)
+#else
+  RELUME_LEAST_OF_HALVES(4, x)
+#endif
+  return low4[1] < low4[0] ? low4[1] : low4[0];
 }
 RELUME_FN real gather(const float* table, integer index) {
   real x;

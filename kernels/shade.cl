@@ -3,7 +3,7 @@
 #include "kernels/shade.h"
 
 __kernel void shade(__global const float* restrict planes, __global const Frame* restrict frame, __global const LightRecord* restrict lights,
-                    __global const float* restrict tables, __global float* restrict out, int first) {
+                    __global const int* restrict lists, __global const float* restrict tables, __global float* restrict out, int first) {
   const int i = first + (int)get_global_id(0) * RELUME_LANES;
-  if (i < frame->pixels) shade_pixels(built_choice(), planes, frame, lights, tables, out, i);
+  if (i < frame->pixels) shade_pixels(built_choice(), planes, frame, lights, lists, tables, out, i);
 }

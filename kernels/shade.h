@@ -13,22 +13,6 @@ typedef struct {
   real3 diffuse, specular;
 } Radiance;
 
-/// One light's share.
-RELUME_FN Radiance reflect(Choice choice, Incident in, Surface s, mask diffuse_seen, mask specular_seen, int bump_shadowing) {
-  Radiance r;
-  r.diffuse = grey(all_lanes(0.0f));
-  r.specular = r.diffuse;
-  const Cosines c = cosines_of(s.n, in.l, s.v);
-  const mask lit = c.n_l > 0.0f;
-  if (!any_of(lit)) return r;
-  real3 irradiance = in.irradiance;
-  if (bump_shadowing != BUMP_none) irradiance = scale3(irradiance, bump_visibility(bump_shadowing, s, in.l));
-  const real3 dark = r.diffuse;
-  r.diffuse = choose3(lit & diffuse_seen, multiply3(irradiance, reflect_diffuse(choice.diffuse, c, s)), dark);
-  r.specular = choose3(lit & specular_seen, multiply3(irradiance, reflect_specular(choice.specular, c, s)), dark);
-  return r;
-}
-
 #define RELUME_LIGHT_OF_TYPE(name, ...) \
   if (k < frame->light_begin[LIGHT_##name + 1]) return light_##name(lights + k, position);
 
@@ -36,6 +20,81 @@ RELUME_FN Radiance reflect(Choice choice, Incident in, Surface s, mask diffuse_s
 RELUME_FN Incident incident_from(RELUME_GLOBAL const Frame* frame, RELUME_GLOBAL const LightRecord* lights, int k, real3 position) {
   RELUME_LIGHTS(RELUME_LIGHT_OF_TYPE)
   return light_directional(lights + k, position);
+}
+
+/// Which lanes show a surface to the viewer.
+typedef struct {
+  mask diffuse, specular;
+} Seen;
+
+/// The share of a light where the surface faces it, else 0.
+RELUME_FN real facing_share(Incident in, Cosines c, Surface s, int bump_shadowing) {
+  real share = choose(c.n_l > 0.0f, in.share, all_lanes(0.0f));
+  if (bump_shadowing != BUMP_none) share = share * bump_visibility(bump_shadowing, s, in.l);
+  return share;
+}
+
+/// The sum with one light's reflection.
+RELUME_FN Radiance with_light(Radiance sum, Choice choice, RELUME_GLOBAL const LightRecord* light, real share, Cosines c, Surface s, Seen seen) {
+  const mask lit = share > 0.0f;
+  const real3 irradiance = scale3(light_intensity(light), share), dark = grey(all_lanes(0.0f));
+  sum.diffuse = fused3(irradiance, choose3(lit & seen.diffuse, reflect_diffuse(choice.diffuse, c, s), dark), sum.diffuse);
+  sum.specular = fused3(irradiance, choose3(lit & seen.specular, reflect_specular(choice.specular, c, s), dark), sum.specular);
+  return sum;
+}
+
+/// Whether a light may reach any lane: false only where it certainly does not. Cheap, for the lights of a list, of which many do not.
+RELUME_FN int may_reach(RELUME_GLOBAL const Frame* frame, RELUME_GLOBAL const LightRecord* light, int k, Surface s) {
+  if (k < frame->light_begin[LIGHT_directional + 1]) return 1;
+  const real3 to_light = real3_of(light->position[0] - s.position.x, light->position[1] - s.position.y, light->position[2] - s.position.z);
+  const mask near = dot3(to_light, to_light)<light->reach * light->reach, in_front = dot3(s.n, to_light)> - 1e-4f * light->reach;
+  return any_of(near & in_front);
+}
+
+/// Lights that are met before any is reflected.
+#define RELUME_BATCH 16
+
+#define RELUME_DECLARE_BATCH(member) real batch_##member[RELUME_BATCH];
+#define RELUME_PUT_INTO_BATCH(member) batch_##member[arrivals] = c.member;
+#define RELUME_TAKE_FROM_BATCH(member) c.member = batch_##member[k];
+
+/// The sum over the lights of the pixels' list, or over all. They come in batches, through short loops one after the other: a processor has some 200
+/// vector instructions under way at a time, which one loop over everything would fill with a light or two, whose operations wait for each other.
+/// And what reaches no lane is left out without a branch that could be mispredicted. Each member of the cosines has its own array, so that one
+/// which no lobe reads is dropped.
+RELUME_FN Radiance direct_light(Choice choice, RELUME_GLOBAL const Frame* frame, RELUME_GLOBAL const LightRecord* lights,
+                                RELUME_GLOBAL const int* lists, Surface s, Seen seen, int i) {
+  Radiance sum;
+  sum.diffuse = grey(all_lanes(0.0f));
+  sum.specular = sum.diffuse;
+  const int listed = frame->lists > 0;
+  RELUME_GLOBAL const int* own = lists + (listed ? frame->lists + 2 * (i / RELUME_LISTED_PIXELS) : 0);
+  const int end = listed ? own[1] : frame->light_begin[LIGHT_COUNT];
+  int next = listed ? own[0] : frame->light_begin[0];
+  int met[RELUME_BATCH], from[RELUME_BATCH];
+  real share[RELUME_BATCH];
+  RELUME_COSINES(RELUME_DECLARE_BATCH)
+  while (next < end) {
+    int meetings = 0, arrivals = 0;
+    for (; next < end && meetings < RELUME_BATCH; ++next) {
+      met[meetings] = listed ? lists[next] : next;
+      meetings += listed ? may_reach(frame, lights + met[meetings], met[meetings], s) : 1;
+    }
+    for (int k = 0; k < meetings; ++k) {
+      const Incident in = incident_from(frame, lights, met[k], s.position);
+      const Cosines c = cosines_of(s.n, in.l, s.v);
+      RELUME_COSINES(RELUME_PUT_INTO_BATCH)
+      share[arrivals] = facing_share(in, c, s, frame->bump_shadowing);
+      from[arrivals] = met[k];
+      arrivals += any_of(share[arrivals] > 0.0f);
+    }
+    for (int k = 0; k < arrivals; ++k) {
+      Cosines c;
+      RELUME_COSINES(RELUME_TAKE_FROM_BATCH)
+      sum = with_light(sum, choice, lights + from[k], share[k], c, s, seen);
+    }
+  }
+  return sum;
 }
 
 /// What is written is finite: NaN (a parameter was NaN) becomes 0, what overflows becomes the largest float.
@@ -51,7 +110,8 @@ RELUME_FN void store_where(mask m, real3 value, RELUME_GLOBAL float* out, int st
 
 /// Shades pixels i .. i + RELUME_LANES - 1 of those whose program this is; the others' output is left alone.
 RELUME_FN void shade_pixels(Choice choice, RELUME_GLOBAL const float* planes, RELUME_GLOBAL const Frame* frame,
-                            RELUME_GLOBAL const LightRecord* lights, RELUME_GLOBAL const float* tables, RELUME_GLOBAL float* out, int i) {
+                            RELUME_GLOBAL const LightRecord* lights, RELUME_GLOBAL const int* lists, RELUME_GLOBAL const float* tables,
+                            RELUME_GLOBAL float* out, int i) {
   const mask mine = load(planes + (size_t)frame->plane_stride * frame->program_plane + i) == (float)frame->program;
   if (!any_of(mine)) return;
   Surface s = load_surface(planes, frame, tables, i);
@@ -60,21 +120,15 @@ RELUME_FN void shade_pixels(Choice choice, RELUME_GLOBAL const float* planes, RE
   s.distribution = choice.distribution;
   s = looked_up(choice, s);
   const mask front = s.n_v > 0.0f;
-  const mask seen = field_1(planes, &frame->field[FIELD_facing], i) == (float)FACING_as_stored;
-  const mask diffuse_seen = front | seen;
-  const mask specular_seen = front;
-  Radiance sum;
-  sum.diffuse = grey(all_lanes(0.0f));
-  sum.specular = sum.diffuse;
-  for (int k = frame->light_begin[0]; k < frame->light_begin[LIGHT_COUNT]; ++k) {
-    const Radiance r = reflect(choice, incident_from(frame, lights, k, s.position), s, diffuse_seen, specular_seen, frame->bump_shadowing);
-    sum.diffuse = add3(sum.diffuse, r.diffuse);
-    sum.specular = add3(sum.specular, r.specular);
-  }
+  const mask as_stored = field_1(planes, &frame->field[FIELD_facing], i) == (float)FACING_as_stored;
+  Seen seen;
+  seen.diffuse = front | as_stored;
+  seen.specular = front;
+  Radiance sum = direct_light(choice, frame, lights, lists, s, seen, i);
   const real coverage = field_1(planes, &frame->field[FIELD_coverage], i);
   sum.diffuse = scale3(sum.diffuse, coverage);
   sum.specular = scale3(sum.specular, coverage);
-  const real3 ambient = scale3(reflect_ambient(choice, frame, s, diffuse_seen, specular_seen), coverage);
+  const real3 ambient = scale3(reflect_ambient(choice, frame, s, seen.diffuse, seen.specular), coverage);
   const int stride = frame->out_stride;
   store_where(mine, add3(add3(sum.diffuse, sum.specular), ambient), out, stride, frame->total, i);
   store_where(mine, sum.diffuse, out, stride, frame->diffuse, i);

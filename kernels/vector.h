@@ -21,10 +21,14 @@ RELUME_FN real3 subtract3(real3 a, real3 b) { return real3_of(a.x - b.x, a.y - b
 RELUME_FN real3 multiply3(real3 a, real3 b) { return real3_of(a.x * b.x, a.y * b.y, a.z * b.z); }
 RELUME_FN real3 divide3(real3 a, real3 b) { return real3_of(a.x / b.x, a.y / b.y, a.z / b.z); }
 RELUME_FN real3 scale3(real3 a, real s) { return real3_of(a.x * s, a.y * s, a.z * s); }
-RELUME_FN real dot3(real3 a, real3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+RELUME_FN real dot3(real3 a, real3 b) { return fused(a.z, b.z, fused(a.y, b.y, a.x * b.x)); }
+/// a b + c
+RELUME_FN real3 fused3(real3 a, real3 b, real3 c) { return real3_of(fused(a.x, b.x, c.x), fused(a.y, b.y, c.y), fused(a.z, b.z, c.z)); }
+/// a + b s
+RELUME_FN real3 add_scaled3(real3 a, real3 b, real s) { return real3_of(fused(b.x, s, a.x), fused(b.y, s, a.y), fused(b.z, s, a.z)); }
 RELUME_FN real3 choose3(mask m, real3 a, real3 b) { return real3_of(choose(m, a.x, b.x), choose(m, a.y, b.y), choose(m, a.z, b.z)); }
 /// a + (b - a) t
-RELUME_FN real3 mix3(real3 a, real3 b, real t) { return add3(a, scale3(subtract3(b, a), t)); }
+RELUME_FN real3 mix3(real3 a, real3 b, real t) { return add_scaled3(a, subtract3(b, a), t); }
 RELUME_FN real3 unit3(real3 a) { return scale3(a, 1.0f / square_root(dot3(a, a))); }
 
 RELUME_FN real larger(real a, real b) { return choose(a > b, a, b); }   // b where a is NaN

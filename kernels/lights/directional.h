@@ -8,7 +8,7 @@ RELUME_FN Incident light_directional(RELUME_GLOBAL const LightRecord* light, rea
   (void)position;
   Incident in;
   in.l = real3_of(all_lanes(-light->direction[0]), all_lanes(-light->direction[1]), all_lanes(-light->direction[2]));
-  in.irradiance = light_intensity(light);
+  in.share = all_lanes(1.0f);
   return in;
 }
 

@@ -1,4 +1,4 @@
-// What a light sends to a point: the direction towards it and the irradiance on a surface that faces it.
+// What a light sends to a point: the direction towards it and its share of the light's intensity.
 #ifndef RELUME_INCIDENT_H
 #define RELUME_INCIDENT_H
 
@@ -6,8 +6,8 @@
 #include "kernels/vector.h"
 
 typedef struct {
-  real3 l;           // unit, from the surface to the light; NaN where the light is at the surface
-  real3 irradiance;  // W/m^2, facing the light
+  real3 l;     // unit, from the surface to the light; 0 or NaN where the light is at the surface
+  real share;  // of the intensity that arrives: times it, the irradiance on a surface that faces the light
 } Incident;
 
 RELUME_FN real3 light_intensity(RELUME_GLOBAL const LightRecord* light) {

@@ -17,7 +17,7 @@ RELUME_FN real cone_at(RELUME_GLOBAL const LightRecord* light, real cosine) {
 RELUME_FN Incident light_spot(RELUME_GLOBAL const LightRecord* light, real3 position) {
   Incident in = light_point(light, position);
   const real cosine = -(in.l.x * light->direction[0] + in.l.y * light->direction[1] + in.l.z * light->direction[2]);
-  in.irradiance = scale3(in.irradiance, cone_at(light, cosine));
+  in.share = in.share * cone_at(light, cosine);
   return in;
 }
 

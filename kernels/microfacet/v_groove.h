@@ -8,7 +8,7 @@
 RELUME_FN real v_groove_visibility(Cosines c) {
   const real along = c.n_l + c.n_v;
   const real groove = 4.0f * along * smaller(c.n_l, c.n_v);
-  return choose(groove < c.sum2, groove / c.sum2, all_lanes(1.0f)) / (4.0f * c.n_v);
+  return choose(groove < c.sum2, groove / c.sum2, all_lanes(1.0f)) * (0.25f / c.n_v);
 }
 
 #endif

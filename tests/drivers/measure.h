@@ -129,7 +129,7 @@ inline void overrun() {
   const std::vector<LightRecord> none;
   const std::vector<float> tables(1);
   const std::unique_ptr<Device> device = open_device("0");
-  const std::unique_ptr<Band> band = device->bind({&in, none, tables, &out});
+  const std::unique_ptr<Band> band = device->bind({&in, none, {}, tables, &out});
   band->shade(choice_of(find_lobe(true, "lambert"), nullptr, nullptr, nullptr, nullptr), frame, {});
 }
 

@@ -1,0 +1,125 @@
+// LightLists: super-tiles side by side on all cores, each narrowing its parent's list.
+#include "host/light_lists.h"
+
+#include <tbb/parallel_for.h>
+
+#include <atomic>
+#include <initializer_list>
+
+#include "host/light_reach.h"
+#include "host/pixel_cells.h"
+
+namespace relume {
+namespace {
+
+/// Lights that one sphere stands for when a super-tile is asked: as many as one look at their own spheres pays for.
+constexpr int clustered = 32;
+/// With fewer lights than these the bounds cost more than the lights.
+constexpr int too_few = 8;
+
+constexpr int tiles = PixelCells::super_rows / PixelCells::tile_rows, cells = PixelCells::tile_rows / PixelCells::cell_rows;
+
+/// Pixels that share a list.
+enum class Sharing { cell, tile, super_tile };
+
+struct List {
+  int y, column, rows, columns;  ///< the blocks that it is for
+  int begin, end;                ///< in Listed::numbers
+};
+
+struct Listed {
+  std::vector<List> lists;
+  std::vector<int> numbers;
+};
+
+/// What is listed of one super-tile.
+class SuperTile {
+ public:
+  SuperTile(const PixelCells& pixels, int number)
+      : y_(number / pixels.super_tiles_across() * PixelCells::super_rows), column_(number % pixels.super_tiles_across() * PixelCells::super_columns) {
+    for (int t = 0; t < tiles; ++t)
+      for (int c = 0; c < PixelCells::super_columns; ++c)
+        for (int k = 0; k < cells; ++k) {
+          if (k == 0) tile_[t][c] = no_bounds();
+          cell_[t][c][k] = pixels.bounds_of_cell(y_of(t, k), column_ + c);
+          include_positions(tile_[t][c], cell_[t][c][k]);
+          include_positions(all_, cell_[t][c][k]);
+        }
+  }
+
+  void list(const LightReach& lights, const LightReach& spheres, Sharing sharing, Listed& listed) const {
+    if (is_empty(all_)) return;
+    thread_local LightReach near, nearer;
+    lights.members_near(all_, spheres, clustered, near);
+    if (sharing == Sharing::super_tile) return add(listed, {y_, column_, PixelCells::super_rows, PixelCells::super_columns, 0, 0}, near, all_, false);
+    for (int t = 0; t < tiles; ++t)
+      for (int c = 0; c < PixelCells::super_columns; ++c) {
+        if (is_empty(tile_[t][c])) continue;
+        near.near(tile_[t][c], nearer);
+        if (sharing == Sharing::tile) {
+          add(listed, {y_of(t, 0), column_ + c, PixelCells::tile_rows, 1, 0, 0}, nearer, tile_[t][c], false);
+          continue;
+        }
+        for (int k = 0; k < cells; ++k)
+          if (!is_empty(cell_[t][c][k])) add(listed, {y_of(t, k), column_ + c, PixelCells::cell_rows, 1, 0, 0}, nearer, cell_[t][c][k], true);
+      }
+  }
+
+ private:
+  int y_of(int tile, int cell) const { return y_ + tile * PixelCells::tile_rows + cell * PixelCells::cell_rows; }
+  static void add(Listed& listed, List list, const LightReach& lights, const PixelBounds& bounds, bool facing) {
+    list.begin = int(listed.numbers.size());
+    if (facing)
+      lights.add_lighting(bounds, listed.numbers);
+    else
+      lights.add_numbers(listed.numbers);
+    list.end = int(listed.numbers.size());
+    listed.lists.push_back(list);
+  }
+
+  int y_, column_;
+  PixelBounds all_ = no_bounds(), tile_[tiles][PixelCells::super_columns], cell_[tiles][PixelCells::super_columns][cells];
+};
+
+/// Behind `numbers`: for each block where its list begins and ends, then the lists. Returns where that starts.
+int append(const PixelCells& pixels, const std::vector<Listed>& listed, std::vector<int>& numbers) {
+  const std::size_t start = numbers.size();
+  numbers.resize(start + 2 * std::size_t(pixels.blocks()));
+  for (const Listed& super_tile : listed) {
+    const int offset = int(numbers.size());
+    numbers.insert(numbers.end(), super_tile.numbers.begin(), super_tile.numbers.end());
+    for (const List& list : super_tile.lists)
+      for (int y = list.y; y < list.y + list.rows; ++y)
+        for (int column = list.column; column < list.column + list.columns; ++column) {
+          const int block = pixels.block_at(y, column);
+          if (block < 0) continue;
+          numbers[start + 2 * std::size_t(block)] = offset + list.begin;
+          numbers[start + 2 * std::size_t(block) + 1] = offset + list.end;
+        }
+  }
+  return int(start);
+}
+
+}  // namespace
+
+int LightLists::add(const Planes& planes, const Frame& frame, int width, std::span<const LightRecord> lights,
+                    std::span<const int, LIGHT_COUNT + 1> begin, std::size_t most) {
+  const LightReach reach = LightReach(lights, begin).in_space_order();
+  if (!reach.any_bounded() || reach.size() < too_few) return 0;
+  const LightReach spheres = reach.spheres_around(clustered);
+  const PixelCells pixels(planes, frame, width);
+  const int count = pixels.super_tiles_across() * pixels.super_tiles_down();
+  for (const Sharing sharing : {Sharing::cell, Sharing::tile, Sharing::super_tile}) {
+    std::vector<Listed> listed{std::size_t(count)};
+    std::atomic<std::size_t> total = numbers_.size() + 2 * std::size_t(pixels.blocks());
+    tbb::parallel_for(0, count, [&](int t) {
+      if (total > most) return;
+      SuperTile(pixels, t).list(reach, spheres, sharing, listed[std::size_t(t)]);
+      total += listed[std::size_t(t)].numbers.size();
+    });
+    if (total <= most) return append(pixels, listed, numbers_);
+  }
+  return 0;
+}
+
+}  // namespace relume

@@ -1,0 +1,31 @@
+// For each block of a band's pixels the lights that can reach it: culling by super-tile, tile and cell, in world space from the pixels' own
+// positions and normals (tiles as in Olsson, Billeter and Assarsson 2012, "Clustered Deferred and Forward Shading"). Kernels that walk a list give
+// the same bits as those that walk all lights: what is left out would have added nothing.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "gbuffer/planes.h"
+#include "host/frame.h"
+
+namespace relume {
+
+class LightLists {
+ public:
+  /// Nothing is listed: every light is met by every pixel.
+  LightLists() = default;
+
+  /// Lists the lights [begin[0], begin[LIGHT_COUNT]) for the pixels of `frame`, whose rows are `width` long. At most `most` numbers are kept: where
+  /// lights are dense, larger groups of pixels share a list. Returns what Frame::lists is to be: 0 where nothing can be culled, or no list fits.
+  int add(const Planes& planes, const Frame& frame, int width, std::span<const LightRecord> lights, std::span<const int, LIGHT_COUNT + 1> begin,
+          std::size_t most);
+
+  /// What the kernels read: for each block the positions in it where its list begins and ends, and the lists, light numbers ascending.
+  std::span<const int> numbers() const { return numbers_; }
+
+ private:
+  std::vector<int> numbers_{0};  // a Frame whose `lists` is 0 has none
+};
+
+}  // namespace relume

@@ -1,0 +1,54 @@
+// Which lights can reach which bounds of pixels: tests that never say no to a light that reaches, so that culling changes no bit of the image.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "host/frame.h"
+#include "host/pixel_cells.h"
+
+namespace relume {
+
+/// Lights as structure of arrays, tested many at a time.
+class LightReach {
+ public:
+  LightReach() = default;
+  /// The lights [begin[0], begin[LIGHT_COUNT]) of the records.
+  LightReach(std::span<const LightRecord> lights, std::span<const int, LIGHT_COUNT + 1> begin);
+
+  std::size_t size() const { return light_.size(); }
+  /// Whether distance can put a light out of reach.
+  bool any_bounded() const { return any_bounded_; }
+
+  /// Those that may reach a position within the bounds, whichever way the surface there faces. `kept` is overwritten, its memory used again:
+  /// thousands of tiles ask.
+  void near(const PixelBounds& bounds, LightReach& kept) const;
+  /// The numbers of those that may light some pixel of the bounds, ascending, added to `numbers`.
+  void add_lighting(const PixelBounds& bounds, std::vector<int>& numbers) const;
+  /// All numbers, added.
+  void add_numbers(std::vector<int>& numbers) const { numbers.insert(numbers.end(), light_.begin(), light_.end()); }
+
+  /// The same lights in an order that keeps neighbours together.
+  LightReach in_space_order() const;
+  /// Spheres around each `count` lights that follow one another.
+  LightReach spheres_around(int count) const;
+  /// Of the lights `count` of which each of `spheres` holds, those near, by number.
+  void members_near(const PixelBounds& bounds, const LightReach& spheres, int count, LightReach& kept) const;
+
+ private:
+  enum { x, y, z, w, range2, axis_x, axis_y, axis_z, cosine, sine, fields };  // w: 0 for a directional light, whose x, y, z is the way to it
+  using Values = std::array<float, fields>;
+
+  void add(int light, const Values& values);
+  Values values_of(std::size_t i) const;
+  void pick(const std::vector<int>& places, LightReach& kept) const;
+  /// 1 for those of [first, first + count) that may reach the bounds.
+  void mark_near(const PixelBounds& bounds, std::size_t first, std::size_t count, std::vector<int>& marks) const;
+
+  std::vector<int> light_;                         ///< record numbers
+  std::array<std::vector<float>, fields> values_;  ///< range2: squared, with a margin for rounding; infinity where nothing is out of range
+  bool any_bounded_ = false, any_cone_ = false;
+};
+
+}  // namespace relume

@@ -1,0 +1,36 @@
+// A band's pixels in cells, tiles and super-tiles, and what each is bounded by.
+#pragma once
+
+#include "gbuffer/planes.h"
+#include "host/frame.h"
+
+namespace relume {
+
+PixelBounds no_bounds();
+inline bool is_empty(const PixelBounds& bounds) { return !(bounds.low[0] <= bounds.high[0]); }
+/// Makes the box of positions hold the other's too; the rest is left alone.
+void include_positions(PixelBounds& bounds, const PixelBounds& other);
+
+/// A band's pixels by lane blocks: 16 pixels that follow one another in memory, the widest that any device shades at once. Cells are up to four rows
+/// of blocks, tiles four cells, super-tiles sixteen tiles (64 x 64 pixels). A row's last block may reach into the next row: no pixel is in two.
+class PixelCells {
+ public:
+  static constexpr int block = RELUME_LISTED_PIXELS, cell_rows = 4, tile_rows = 16, super_rows = 64, super_columns = 4;
+
+  PixelCells(const Planes& planes, const Frame& frame, int width);
+
+  int blocks() const { return blocks_; }
+  int super_tiles_across() const { return (columns_ + super_columns - 1) / super_columns; }
+  int super_tiles_down() const { return (rows_ + super_rows - 1) / super_rows; }
+  /// Blocks whose first pixel lies in row y, at this column: its number, or -1.
+  int block_at(int y, int column) const;
+  /// Of the cell whose first row is y: all its pixels that show a surface.
+  PixelBounds bounds_of_cell(int y, int column) const;
+
+ private:
+  const Planes& planes_;
+  const Frame& frame_;
+  int width_, blocks_, rows_, columns_;
+};
+
+}  // namespace relume
