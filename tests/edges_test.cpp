@@ -193,7 +193,7 @@ struct Case {
   std::string name;
   fs::path gbuffer, rig, reference;
   std::vector<std::string> options;
-  const char* why_not = nullptr;  ///< half the error is not reached
+  bool out_of_reach = false;  ///< half the error, whatever is done: docs/truth.md says why
 };
 
 nlohmann::json json_of(const fs::path& file) { return nlohmann::json::parse(std::ifstream(file)); }
@@ -208,7 +208,7 @@ std::vector<Case> cases() {
     if (facts.contains("relume_shade")) c.options = facts["relume_shade"].get<std::vector<std::string>>();
     if (fs::exists(folder / "materials.json")) c.options = {"--materials", (folder / "materials.json").string()};
     if (fs::exists(folder / "rig.gltf")) c.rig = folder / "rig.gltf";
-    if (std::string(name).starts_with("pbrt")) c.why_not = "only balls and background: albedo carries the coverage, no two surfaces mix";
+    c.out_of_reach = std::string(name).starts_with("pbrt");
     all.push_back(c);
   }
   const fs::path conventions = corpus / "conventions";
@@ -247,6 +247,17 @@ std::vector<bool> edges_of(const Channels& gbuffer) {
   return edges;
 }
 
+/// The stored albedo times whatever irradiance suits the reference best, pixel by pixel: under white lights no Lambertian relighter comes closer.
+Rgb in_hindsight(const Channels& gbuffer, const Rgb& reference) {
+  Rgb image = rgb_of(gbuffer, "Albedo.");
+  for (std::size_t i = 0; i < image[0].size(); ++i) {
+    double along = 0, squared = 0;
+    for (std::size_t c = 0; c < 3; ++c) along += double(image[c][i]) * reference[c][i], squared += double(image[c][i]) * image[c][i];
+    for (std::size_t c = 0; c < 3; ++c) image[c][i] *= squared > 0 ? float(along / squared) : 0;
+  }
+  return image;
+}
+
 TEST(Edges, OfRenderersFilesHaveHalfTheErrorOfNaiveShading) {
   if (!fs::exists(RELUME_CORPUS)) GTEST_SKIP() << "the corpus is not beside the project";
   std::printf("| anti-aliased file            | edge pixels | naive rms | mended rms | ratio | all, naive dB | mended dB |\n");
@@ -254,16 +265,21 @@ TEST(Edges, OfRenderersFilesHaveHalfTheErrorOfNaiveShading) {
     const Rgb reference = reference_of(c);
     const Rgb mended = rgb_of(shaded(c.gbuffer, c.rig, c.options)),
               naive = rgb_of(shaded(c.gbuffer, c.rig, with(c.options, {"--edges", "as-stored"})));
-    const std::vector<bool> edges = edges_of(read_channels(c.gbuffer)), all(edges.size(), true);
+    const Channels gbuffer = read_channels(c.gbuffer);
+    const std::vector<bool> edges = edges_of(gbuffer), all(edges.size(), true);
     const double before = rms(naive, reference, edges), after = rms(mended, reference, edges);
     std::vector<float> values = reference[1];
     const auto peak = values.begin() + std::ptrdiff_t(double(values.size()) * 0.999);
     std::nth_element(values.begin(), peak, values.end());
     const auto decibel = [&](const Rgb& image) { return -20 * std::log10(rms(image, reference, all) / *peak); };
-    std::printf("| %-28s | %11d | %9.5f | %10.5f | %5.2f | %13.1f | %9.1f |%s%s\n", c.name.c_str(), int(std::count(edges.begin(), edges.end(), true)),
-                before, after, after / before, decibel(naive), decibel(mended), c.why_not ? " " : "", c.why_not ? c.why_not : "");
-    EXPECT_LE(after, (c.why_not ? 1.001 : 0.5) * before) << c.name;
+    std::printf("| %-28s | %11d | %9.5f | %10.5f | %5.2f | %13.1f | %9.1f |\n", c.name.c_str(), int(std::count(edges.begin(), edges.end(), true)),
+                before, after, after / before, decibel(naive), decibel(mended));
+    EXPECT_LE(after, (c.out_of_reach ? 1.001 : 0.5) * before) << c.name;
     EXPECT_GE(decibel(mended), decibel(naive) - 0.01) << c.name;
+    if (!c.out_of_reach) continue;
+    const double least = rms(in_hindsight(gbuffer, reference), reference, edges);
+    std::printf("  its albedo leaves at least a ratio of %.2f\n", least / before);
+    EXPECT_GT(least, 0.5 * before) << c.name;
   }
 }
 
