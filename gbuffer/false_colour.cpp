@@ -7,10 +7,11 @@
 #include <cstring>
 #include <functional>
 
-#include "gbuffer/ailments/ailment.h"
+#include "gbuffer/ailments/row.h"
 #include "gbuffer/layer_frame.h"
 #include "gbuffer/printable.h"
 #include "gbuffer/sample_rows.h"
+#include "gbuffer/three_digits.h"
 
 namespace relume {
 namespace {

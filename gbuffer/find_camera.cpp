@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
@@ -11,17 +10,12 @@
 #include "gbuffer/camera_plane.h"
 #include "gbuffer/layer_frame.h"
 #include "gbuffer/samples.h"
+#include "gbuffer/three_digits.h"
 
 namespace relume {
 namespace {
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
-
-std::string point(const glm::dvec3& p) { return "(" + number(p.x) + ", " + number(p.y) + ", " + number(p.z) + ")"; }
+std::string point(const glm::dvec3& p) { return "(" + three_digits(p.x) + ", " + three_digits(p.y) + ", " + three_digits(p.z) + ")"; }
 
 /// What the search goes by: positions at pixels and the normals there.
 struct Evidence {
@@ -92,7 +86,7 @@ void take_lens(Camera& camera, const PoseFit& fit, const Evidence& evidence, Rea
   if (fit.residual > evidence.agreement) return;
   set_extent(camera, fit, reading.display_window);
   if (stated > evidence.agreement)
-    reading.notes.push_back("the lens that " + camera.source + " tells is " + number(stated) +
+    reading.notes.push_back("the lens that " + camera.source + " tells is " + three_digits(stated) +
                             " pixels off the positions' places: the lens that the positions tell is used");
 }
 
@@ -134,7 +128,7 @@ void check_given(Camera& given, const Evidence& evidence, Reading& reading) {
   if (!other) return;
   const bool perspective = other->projection == Camera::Projection::perspective;
   const std::string place = perspective ? "from " + point(other->eye()) : "along " + point(-other->backward());
-  reading.notes.push_back("warning: the camera given (" + given.source + ") sees the positions " + number(given.residual) +
+  reading.notes.push_back("warning: the camera given (" + given.source + ") sees the positions " + three_digits(given.residual) +
                           " pixels off their places; they were seen " + place + " (--camera auto uses that)");
 }
 
@@ -219,7 +213,7 @@ void recover_or_say_why(const ExrFile& file, const Evidence& evidence, Reading& 
   reading.camera = recovery.camera ? recovery.camera : fallback;
   if (recovery.camera) {
     if (fallback)
-      reading.notes.push_back("the header's camera (" + fallback->source + ") sees the positions " + number(fallback->residual) +
+      reading.notes.push_back("the header's camera (" + fallback->source + ") sees the positions " + three_digits(fallback->residual) +
                               " pixels off their places: the camera recovered from them is used instead");
     return;
   }

@@ -59,8 +59,6 @@ struct Ailment {
 
 const std::vector<Ailment>& ailments();
 
-/// "0.0123": three digits, for sentences.
-std::string three_digits(double number);
 /// "12 % of 2304 pixels"
 std::string share_in_words(const Tally& tally);
 

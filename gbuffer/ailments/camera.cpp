@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "gbuffer/ailments/ailment.h"
+#include "gbuffer/three_digits.h"
 
 namespace relume {
 namespace {

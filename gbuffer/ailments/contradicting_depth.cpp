@@ -6,6 +6,7 @@
 
 #include "gbuffer/ailments/ailment.h"
 #include "gbuffer/median.h"
+#include "gbuffer/three_digits.h"
 
 namespace relume {
 namespace {

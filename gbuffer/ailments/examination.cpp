@@ -5,10 +5,10 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "gbuffer/ailments/list.h"
 #include "gbuffer/error.h"
+#include "gbuffer/three_digits.h"
 
 namespace relume {
 
@@ -21,12 +21,6 @@ const std::vector<Ailment>& ailments() {
   static const std::vector<Ailment> list{RELUME_AILMENTS(RELUME_ENTRY)};
 #undef RELUME_ENTRY
   return list;
-}
-
-std::string three_digits(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", number);
-  return text;
 }
 
 std::string share_in_words(const Tally& tally) { return three_digits(100 * tally.share()) + " % of " + std::to_string(tally.judged) + " pixels"; }

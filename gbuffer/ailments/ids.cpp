@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "gbuffer/ailments/ailment.h"
+#include "gbuffer/three_digits.h"
 
 namespace relume {
 namespace {

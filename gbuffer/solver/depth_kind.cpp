@@ -8,6 +8,7 @@
 
 #include "gbuffer/layer_frame.h"
 #include "gbuffer/solver/question.h"
+#include "gbuffer/three_digits.h"
 
 namespace relume {
 namespace {
@@ -94,7 +95,7 @@ void ask_depth_kind(const Asked& asked, Reading& reading) {
   if (sure) reading.depth_kind = misfit->z < misfit->distance ? DepthKind::z : DepthKind::distance;
   reading.verdicts.push_back(
       {"depth", reading.depth_kind == DepthKind::z ? "z (along the camera's axis)" : "distance (along the ray)",
-       "off by " + in_words(misfit->z) + " as z, by " + in_words(misfit->distance) + " as distance (median share " + misfit->measure + ")",
+       "off by " + three_digits(misfit->z) + " as z, by " + three_digits(misfit->distance) + " as distance (median share " + misfit->measure + ")",
        "--depth-kind", sure});
 }
 

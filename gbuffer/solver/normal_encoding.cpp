@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "gbuffer/solver/question.h"
+#include "gbuffer/three_digits.h"
 
 namespace relume {
 namespace {
@@ -49,8 +50,8 @@ void ask_normal_encoding(const Asked& asked, Reading& reading) {
   const bool is_signed = reading.normal_encoding == NormalEncoding::as_signed;
   const bool sure = is_signed ? negative > rare || as_signed > 2 * as_unsigned : as_unsigned > 2 * as_signed;
   reading.verdicts.push_back({"normal encoding", is_signed ? "signed (-1..1)" : "unsigned (0..1)",
-                              "of unit length as -1..1: " + in_words(100 * as_signed) + " % of the pixels, as 0..1: " + in_words(100 * as_unsigned) +
-                                  " %; below 0: " + in_words(100 * negative) + " %",
+                              "of unit length as -1..1: " + three_digits(100 * as_signed) + " % of the pixels, as 0..1: " +
+                                  three_digits(100 * as_unsigned) + " %; below 0: " + three_digits(100 * negative) + " %",
                               "--normal-encoding", sure});
   if (before != reading.normal_encoding)
     reading.notes.push_back("normals are read as " + std::string(is_signed ? "-1..1" : "0..1 for -1..1") +

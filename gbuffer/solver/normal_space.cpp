@@ -8,6 +8,7 @@
 
 #include "gbuffer/layer_frame.h"
 #include "gbuffer/solver/surface_normals.h"
+#include "gbuffer/three_digits.h"
 
 namespace relume {
 namespace {
@@ -211,8 +212,8 @@ void ask_normal_space(const Asked& asked, Reading& reading) {
   reading.normal_axes = chosen.axes;
   const bool either_side = overturned && std::abs(chosen.facing) < 0.5;  // as many normals point away as to the viewer: which are the outer ones?
   reading.verdicts.push_back({"normal space", words(chosen),
-                              "mean cosine to the surfaces that the positions span: " + in_words(chosen.score) +
-                                  (rival ? "; next: " + words(*rival) + " " + in_words(rival->score) : "") +
+                              "mean cosine to the surfaces that the positions span: " + three_digits(chosen.score) +
+                                  (rival ? "; next: " + words(*rival) + " " + three_digits(rival->score) : "") +
                                   (chosen.score < explains ? "; bump maps, or a frame of their own" : "") +
                                   (either_side ? "; as many point away from the viewer as towards" : ""),
                               "--normal-space, --normal-axes",

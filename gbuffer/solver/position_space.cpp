@@ -9,6 +9,7 @@
 #include "gbuffer/camera_header.h"
 #include "gbuffer/layer_frame.h"
 #include "gbuffer/solver/question.h"
+#include "gbuffer/three_digits.h"
 #include "gbuffer/unit_ratio.h"
 
 namespace relume {
@@ -56,7 +57,7 @@ std::vector<Candidate> in_camera_space(const std::vector<Camera>& stated, const 
   return {{Space::camera, Axes{}, camera}, {Space::camera, z_forward, camera}};
 }
 
-std::string pixels(double residual) { return std::isfinite(residual) ? in_words(residual) + " px" : "the wrong way round"; }
+std::string pixels(double residual) { return std::isfinite(residual) ? three_digits(residual) + " px" : "the wrong way round"; }
 
 void take(const Candidate& chosen, Reading& reading) {
   const bool moved = chosen.space != reading.position_space;
@@ -98,7 +99,7 @@ bool take_units_and_axes(const std::vector<Camera>& stated, const std::vector<Si
     if (*axes == Axes{} && scale == 1) return false;
     reading.position_axes = *axes;
     reading.position_scale = scale;
-    reading.verdicts.push_back({"position units and axes", in_words(scale) + " times " + text_of(*axes),
+    reading.verdicts.push_back({"position units and axes", three_digits(scale) + " times " + text_of(*axes),
                                 "so turned and scaled, the positions are where " + camera.source + " sees them; as stored they are not",
                                 "--position-scale, --position-axes", true});
     return true;

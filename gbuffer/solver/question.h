@@ -14,7 +14,4 @@ struct Asked {
   const ReadingOptions& options;
 };
 
-/// "0.994"
-std::string in_words(double number);
-
 }  // namespace relume

@@ -1,8 +1,6 @@
 // The questions, one after the other over one sample.
 #include "gbuffer/solver/solve.h"
 
-#include <cstdio>
-
 #include "gbuffer/samples.h"
 #include "gbuffer/solver/list.h"
 #include "gbuffer/solver/question.h"
@@ -12,12 +10,6 @@ namespace relume {
 #define RELUME_DECLARE(name) void ask_##name(const Asked& asked, Reading& reading);
 RELUME_QUESTIONS_BEFORE_CAMERA(RELUME_DECLARE)
 RELUME_QUESTIONS_WITH_CAMERA(RELUME_DECLARE)
-
-std::string in_words(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", number);
-  return text;
-}
 
 #define RELUME_ASK(name) ask_##name(asked, reading);
 
