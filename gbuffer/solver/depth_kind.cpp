@@ -7,17 +7,12 @@
 #include <limits>
 
 #include "gbuffer/layer_frame.h"
+#include "gbuffer/median.h"
 #include "gbuffer/solver/question.h"
 #include "gbuffer/three_digits.h"
 
 namespace relume {
 namespace {
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// How badly each reading explains the depth; the less the better.
 struct Misfit {
