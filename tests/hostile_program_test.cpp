@@ -10,6 +10,7 @@
 
 #include "tests/make_gbuffer.h"
 #include "tests/run_program.h"
+#include "tests/under_asan.h"
 
 namespace relume {
 namespace {
@@ -18,13 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr double most_seconds = 5;     // of processor time: a busy machine is no hang
 constexpr long most_memory = 1 << 20;  // KiB resident
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool measured = false;  // its shadow memory is not the program's
-#elif defined(__has_feature)
-constexpr bool measured = !__has_feature(address_sanitizer);
-#else
-constexpr bool measured = true;
-#endif
+constexpr bool measured = !under_asan;
 
 struct Ended {
   int status = 0;

@@ -15,14 +15,7 @@
 
 #include "gbuffer/error.h"
 #include "gbuffer/exr_file.h"
-
-#if defined(__SANITIZE_ADDRESS__)
-#define RELUME_UNDER_ASAN 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define RELUME_UNDER_ASAN 1
-#endif
-#endif
+#include "tests/under_asan.h"
 
 namespace {
 
@@ -34,12 +27,7 @@ using relume::ExrFile;
 using relume::SampleType;
 using relume::Window;
 
-#ifdef RELUME_UNDER_ASAN
-constexpr bool memory_is_measured = false;  // its shadow memory is terabytes of address space
-#else
-constexpr bool memory_is_measured = true;
-#endif
-
+constexpr bool memory_is_measured = !relume::under_asan;
 constexpr rlim_t seconds = 5;                      // of CPU: a busy machine is no hang
 constexpr long most_memory = 1 << 20;              // KiB resident
 constexpr rlim_t address_space = rlim_t(6) << 30;  // beyond it bad_alloc: threads' stacks and arenas on a large machine need some of it

@@ -13,6 +13,7 @@
 #include "tests/drivers/driver.h"
 #include "tests/drivers/inexact.h"
 #include "tests/drivers/measure.h"
+#include "tests/under_asan.h"
 
 namespace relume {
 namespace {
@@ -22,17 +23,12 @@ using nlohmann::json;
 
 const bool is_long = std::getenv("RELUME_LONG") != nullptr;
 const std::string own_program = fs::read_symlink("/proc/self/exe");
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool sanitized = true;
-#else
-constexpr bool sanitized = false;
-#endif
 const char* const references[] = {"principled_lobes", "half_float", "roughplastic"};
 
 /// Why a driver is not tried; empty where it is. AddressSanitizer wants to be loaded first and watches foreign libraries' leaks: PoCL will do there.
 std::string why_not(const Driver& driver) {
   if (!fs::exists(driver.icd)) return "there is no " + driver.icd.string();
-  return sanitized && driver.name != "PoCL" ? "not under AddressSanitizer" : "";
+  return under_asan && driver.name != "PoCL" ? "not under AddressSanitizer" : "";
 }
 
 /// What one child said, and what became of it.

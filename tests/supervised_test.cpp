@@ -8,14 +8,7 @@
 
 #include "tests/make_gbuffer.h"
 #include "tests/run_program.h"
-
-#if defined(__SANITIZE_ADDRESS__)
-#define RELUME_UNDER_ASAN 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define RELUME_UNDER_ASAN 1
-#endif
-#endif
+#include "tests/under_asan.h"
 
 namespace relume {
 namespace {
@@ -25,9 +18,7 @@ namespace fs = std::filesystem;
 class Supervised : public testing::Test {
  protected:
   void SetUp() override {
-#ifdef RELUME_UNDER_ASAN
-    GTEST_SKIP() << "AddressSanitizer takes crashes and memory into its own hands";
-#endif
+    if (under_asan) GTEST_SKIP() << "AddressSanitizer takes crashes and memory into its own hands";
     write_gbuffer(in("g.exr"), {});
     std::ofstream(in("rig.json")) << rig;
   }
