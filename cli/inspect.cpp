@@ -23,9 +23,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* name_of(SampleType type) { return type == SampleType::half_float ? "half" : type == SampleType::float32 ? "float" : "uint"; }
-const char* name_of(Space space) { return space == Space::world ? "world" : space == Space::camera ? "camera" : "view ray"; }
-
 Json window_json(const Window& w) { return {{"x0", w.min_x}, {"y0", w.min_y}, {"x1", w.max_x}, {"y1", w.max_y}}; }
 
 Json camera_json(const Camera& camera) {

@@ -177,6 +177,8 @@ std::vector<double> numbers_of(const Matrix& matrix) {
 
 }  // namespace
 
+const char* name_of(SampleType type) { return type == SampleType::half_float ? "half" : type == SampleType::float32 ? "float" : "uint"; }
+
 bool Part::has_channel(const std::string& channel) const {
   return std::any_of(channels.begin(), channels.end(), [&](const Channel& c) { return c.name == channel; });
 }

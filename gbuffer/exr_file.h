@@ -19,6 +19,9 @@ namespace relume {
 
 enum class SampleType { half_float, float32, uint32 };
 
+/// "half", "float", "uint": OpenEXR's own names.
+const char* name_of(SampleType type);
+
 struct Channel {
   std::string name;  ///< as in the file: "ViewLayer.Normal.X"
   SampleType type;

@@ -48,8 +48,6 @@ std::string in_hexadecimal(std::uint32_t id) {
 /// Below this every whole number has a sample of its own.
 std::uint32_t exact_below(SampleType type) { return type == SampleType::half_float ? 1u << 11 : type == SampleType::float32 ? 1u << 24 : ~0u; }
 
-const char* name_of(SampleType type) { return type == SampleType::half_float ? "half" : type == SampleType::float32 ? "float" : "uint"; }
-
 /// What a look at a float layer's ids finds, where there is a normal.
 struct Survey {
   std::int64_t seen = 0, no_id = 0, mixed = 0, coarse = 0;

@@ -169,6 +169,8 @@ void apply_map(const ExrFile& file, const ReadingOptions& options, Reading& read
 
 }  // namespace
 
+const char* name_of(Space space) { return space == Space::world ? "world" : space == Space::camera ? "camera" : "view ray"; }
+
 const Convention& convention_of(const ExrFile& file, const ReadingOptions& options) {
   const auto& all = conventions();
   const auto layers = layers_of(file);

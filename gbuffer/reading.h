@@ -20,6 +20,8 @@ enum class Space {
   camera,
   view_ray  ///< normals only: V-Ray's frame of each pixel's own viewing ray (research: exr-conventions A.5)
 };
+/// "world", "camera", "view ray"
+const char* name_of(Space space);
 enum class NormalEncoding { as_signed, as_unsigned };  ///< -1..1, or 0..1 for -1..1
 enum class DepthKind {
   z,        ///< along the camera's axis

@@ -139,7 +139,6 @@ void face_viewer(Candidate& c, const Reading& reading) {
   c.facing = -c.facing;
 }
 
-const char* name_of(Space space) { return space == Space::world ? "world" : space == Space::camera ? "camera" : "view ray (V-Ray)"; }
 std::string words(const Candidate& c) { return std::string(name_of(c.space)) + (c.axes == Axes{} ? "" : ", axes " + text_of(c.axes)); }
 
 bool allowed(const Candidate& c, const ReadingOptions& options) {
