@@ -276,13 +276,6 @@ std::optional<std::string> text_attribute(const Imf::Header& header, const std::
   return text ? std::optional(*text) : std::nullopt;
 }
 
-std::optional<double> number_attribute(const Imf::Header& header, const std::string& name) {
-  if (const auto* const number = find_value<float>(header, name)) return *number;
-  if (const auto* const number = find_value<double>(header, name)) return *number;
-  if (const auto* const number = find_value<int>(header, name)) return *number;
-  return std::nullopt;
-}
-
 std::optional<std::vector<double>> matrix_attribute(const Imf::Header& header, const std::string& name) {
   if (const auto* const matrix = find_value<Imath::M44f>(header, name)) return numbers_of(*matrix);
   if (const auto* const matrix = find_value<Imath::M44d>(header, name)) return numbers_of(*matrix);

@@ -78,7 +78,6 @@ class ExrFile {
 
 /// Attributes by name, compared without regard to case; empty optional where absent or of another type.
 std::optional<std::string> text_attribute(const Imf::Header& header, const std::string& name);
-std::optional<double> number_attribute(const Imf::Header& header, const std::string& name);
 /// 16 numbers in storage order, from an m44f/m44d attribute.
 std::optional<std::vector<double>> matrix_attribute(const Imf::Header& header, const std::string& name);
 /// Names of all attributes.

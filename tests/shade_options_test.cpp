@@ -130,7 +130,7 @@ TEST_F(ShadeOptions, InputAttributesAreKept) {
   const Imf::Header& header = file.parts()[0].header;
   EXPECT_EQ(header.pixelAspectRatio(), 1.25f);
   EXPECT_EQ(text_attribute(header, "studio:shot"), "sc042");
-  EXPECT_EQ(number_attribute(header, "whiteLuminance"), 92);
+  EXPECT_EQ(Imf::whiteLuminance(header), 92);
   EXPECT_TRUE(matrix_attribute(header, "worldToCamera"));
   EXPECT_EQ(text_attribute(header, "relume:gbuffer"), "in.exr");
   EXPECT_EQ(text_attribute(header, "relume:device"), "twin");
