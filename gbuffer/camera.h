@@ -28,8 +28,11 @@ struct Camera {
   bool recovered = false;             ///< from the positions, rather than stated by a file
   std::string source;                 ///< for people: "worldToCamera of part 0", "recovered from Position", "rig.gltf"
   double residual = -1;               ///< median reprojection error in pixels, where it was measured; else negative
+  double tolerance = 1;               ///< pixels: what rounded positions may leave of it
 
   glm::dvec3 eye() const { return glm::dvec3(world_from_camera[3]); }
+  /// It is not the one that saw the positions.
+  bool contradicted() const { return residual > tolerance; }
   /// The direction from the scene to the viewer (world), the same for all pixels of an orthographic camera; unit length.
   glm::dvec3 backward() const;
 };

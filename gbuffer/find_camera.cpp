@@ -143,11 +143,11 @@ void lens_of_camera_space(Camera& camera, const Evidence& evidence, const Readin
 }
 
 /// Layers in camera space can only be lit from a world if a camera links the two; without one the camera's space is the world.
-void camera_of_camera_space(Samples& samples, const ReadingOptions& options, Reading& reading) {
+void camera_of_camera_space(const ExrFile& file, const Evidence& evidence, const ReadingOptions& options, Reading& reading) {
   if (options.camera) {
     reading.camera = options.camera;
   } else if (!reading.camera || options.recover_camera) {
-    const auto stated = options.recover_camera ? std::vector<Camera>{} : candidates_of(samples.file(), reading);
+    const auto stated = options.recover_camera ? std::vector<Camera>{} : candidates_of(file, reading);
     reading.camera = stated.empty() ? Camera{} : stated.front();
     if (stated.empty()) {
       reading.camera->source = "the space of the layers";
@@ -156,7 +156,7 @@ void camera_of_camera_space(Samples& samples, const ReadingOptions& options, Rea
           "x right, y up, looking along -z (--camera FILE names a camera)");
     }
   }
-  lens_of_camera_space(*reading.camera, evidence_of(samples, reading), reading);
+  lens_of_camera_space(*reading.camera, evidence, reading);
 }
 
 /// Lens without a place: the camera's own space is the world, as for layers in camera space.
@@ -223,11 +223,9 @@ void recover_or_say_why(const ExrFile& file, const Evidence& evidence, Reading& 
                           " (--camera FILE names a rig, a glTF or another EXR)");
 }
 
-void choose(Samples& samples, const ReadingOptions& options, Reading& reading) {
-  const ExrFile& file = samples.file();
+void choose(const ExrFile& file, const Evidence& evidence, const ReadingOptions& options, Reading& reading) {
   if (!reading.roles.contains("position")) return camera_without_positions(file, options, reading);
-  if (reading.position_space == Space::camera) return camera_of_camera_space(samples, options, reading);
-  const Evidence evidence = evidence_of(samples, reading);
+  if (reading.position_space == Space::camera) return camera_of_camera_space(file, evidence, options, reading);
   if (options.camera) {
     reading.camera = options.camera;
     return check_given(*reading.camera, evidence, reading);
@@ -243,8 +241,11 @@ void choose(Samples& samples, const ReadingOptions& options, Reading& reading) {
 }  // namespace
 
 void find_camera(Samples& samples, const ReadingOptions& options, Reading& reading) {
-  choose(samples, options, reading);
-  if (reading.camera) reading.camera->lens = lens_of(*reading.camera, reading.display_window, reading.pixel_aspect);
+  const Evidence evidence = evidence_of(samples, reading);
+  choose(samples.file(), evidence, options, reading);
+  if (!reading.camera) return;
+  reading.camera->lens = lens_of(*reading.camera, reading.display_window, reading.pixel_aspect);
+  reading.camera->tolerance = evidence.agreement;
 }
 
 }  // namespace relume

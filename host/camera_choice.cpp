@@ -12,9 +12,6 @@
 namespace relume {
 namespace {
 
-/// Pixels: a camera whose reprojected positions miss by more did not see the file.
-constexpr double agreement = 1.0;
-
 std::string text(const glm::dvec3& p) {
   std::ostringstream out;
   out << "(" << p.x << ", " << p.y << ", " << p.z << ")";
@@ -46,7 +43,7 @@ Reading reading_by_header(const ExrFile& file, ReadingOptions options, const Rig
 /// The file with the camera that it tells itself, where it tells one and the rig's will not do.
 std::optional<Reading> own_reading(const ExrFile& file, const ReadingOptions& options, const Rig& rig, const Reading& with_rig) {
   if (pose_is_checked(with_rig)) {
-    if (with_rig.camera->residual <= agreement) return {};
+    if (!with_rig.camera->contradicted()) return {};
     Reading own = understand(file, options);
     const bool better = own.camera && own.camera->residual >= 0 && own.camera->residual < with_rig.camera->residual;
     return better ? std::optional(std::move(own)) : std::nullopt;

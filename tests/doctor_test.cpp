@@ -25,6 +25,21 @@ TEST(Doctor, Camera) {
   EXPECT_EQ(contradicted.code, 1);
 }
 
+TEST(Doctor, RoundedPositionsDoNotContradictACamera) {
+  constexpr float far = 900;  // half precision steps by 0.5 there: several pixels
+  MadeUpGBuffer made;
+  made.half = true;
+  made.floor = false;
+  made.camera_in_header = false;
+  made.pixel = [](int, int, ScenePixel& p) {
+    if (p.id) p.position.x += far;
+  };
+  made.header = [](Imf::Header& header) {
+    header.insert("worldToCamera", Imf::M44fAttribute({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, -far, 0, float(scene_eye_z), 1}));
+  };
+  EXPECT_EQ(doctored(made).of("camera"), std::vector<Json>{});
+}
+
 TEST(Doctor, LossyCodec) {
   MadeUpGBuffer made = healthy();
   made.half = true;

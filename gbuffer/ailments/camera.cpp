@@ -7,8 +7,6 @@
 namespace relume {
 namespace {
 
-constexpr double agreement = 1;  // pixel: beyond it a camera is not the one that saw the file (gbuffer/find_camera.cpp)
-
 bool header_states_one(const Patient& patient) {
   const Imf::Header& header = patient.file.parts()[std::size_t(patient.reading.part)].header;
   return matrix_attribute(header, "worldToCamera") || matrix_attribute(patient.file.parts().front().header, "worldToCamera");
@@ -65,7 +63,7 @@ void examine(const Patient& patient, std::vector<Check>&, std::vector<Finding>& 
   if (!patient.understood || !patient.has("position")) return;
   const auto& camera = patient.reading.camera;
   if (!camera) return findings.push_back(none());
-  if (camera->residual > agreement)
+  if (camera->contradicted())
     findings.push_back(contradicted(*camera));
   else if (camera->recovered && header_states_one(patient))
     findings.push_back(replaced(*camera));
