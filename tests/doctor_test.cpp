@@ -23,6 +23,10 @@ TEST(Doctor, Camera) {
   ASSERT_EQ(contradicted.of("camera").size(), 1u) << contradicted.json.dump(1);
   EXPECT_EQ(contradicted.of("camera")[0]["severity"], "defect");
   EXPECT_EQ(contradicted.code, 1);
+  made.header = [](Imf::Header& header) {  // the same, as V-Ray states it
+    header.insert("cameraTransform", Imf::M44fAttribute({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 3, 0, float(scene_eye_z), 1}));
+  };
+  EXPECT_EQ(doctored(made).of("camera"), contradicted.of("camera"));
 }
 
 TEST(Doctor, RoundedPositionsDoNotContradictACamera) {

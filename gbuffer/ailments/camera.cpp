@@ -2,12 +2,15 @@
 #include <cmath>
 
 #include "gbuffer/ailments/ailment.h"
+#include "gbuffer/camera_header.h"
 #include "gbuffer/three_digits.h"
 
 namespace relume {
 namespace {
 
+/// Even a matrix that no camera can be made of was meant as one.
 bool header_states_one(const Patient& patient) {
+  if (!header_cameras(patient.file, patient.reading.part, patient.reading.display_window).empty()) return true;
   const Imf::Header& header = patient.file.parts()[std::size_t(patient.reading.part)].header;
   return matrix_attribute(header, "worldToCamera") || matrix_attribute(patient.file.parts().front().header, "worldToCamera");
 }
