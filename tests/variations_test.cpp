@@ -1,4 +1,5 @@
 // One scene, stored in many ways: camera space, 0..1 normals, flipped components, left-handed, z up, other units. Without a flag, one picture.
+#include <ImfFloatAttribute.h>
 #include <ImfMatrixAttribute.h>
 #include <gtest/gtest.h>
 
@@ -13,6 +14,7 @@
 #include <random>
 
 #include "tests/channels.h"
+#include "tests/made_up_exr.h"
 #include "tests/make_gbuffer.h"
 #include "tests/run_program.h"
 
@@ -169,6 +171,31 @@ TEST(Variations, WhatIsNotSureIsSaid) {
       {"shade", (folder / "in.exr").string(), "-l", (folder / "rig.json").string(), "-o", (folder / "out.exr").string(), "--device", "twin"});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_NE(run.err.find("warning: normal space is taken to be world, but that is not sure"), std::string::npos) << run.err;
+}
+
+/// What inspect says of two walls that meet in a corner, of which the file tells depth alone.
+std::string words_on_depth(const std::function<double(double z, double ray)>& stored) {
+  constexpr int side = 64;
+  constexpr double scale = 80;  // pixels a unit of the tangent
+  const auto value = [&](const std::string&, int x, int y) {
+    const double u = (x + 0.5 - 0.5 * side) / scale, v = (y + 0.5 - 0.5 * side) / scale, z = 1 / (0.2 + 0.3 * std::abs(u) + 0.1 * v);
+    return stored(z, std::sqrt(1 + u * u + v * v));
+  };
+  const MadeUpExr file({{"", "", {"Z"}}}, side, side, value, [&](Imf::Header& header) {
+    header.insert("worldToCamera", Imf::M44fAttribute({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 5, 1}));
+    header.insert("CameraFov", Imf::FloatAttribute(float(360 / M_PI * std::atan(0.5 * side / scale))));
+  });
+  const ProgramRun run = run_program({"inspect", file.file.string()});
+  EXPECT_EQ(run.code, 0) << run.err;
+  return run.out;
+}
+
+TEST(Variations, InverseDepthIsWarnedOf) {
+  const auto warned = [](const std::string& words) { return words.find("linear over planes as 1/z would be") != std::string::npos; };
+  EXPECT_FALSE(warned(words_on_depth([](double z, double) { return z; })));
+  EXPECT_FALSE(warned(words_on_depth([](double z, double ray) { return z * ray; })));
+  EXPECT_TRUE(warned(words_on_depth([](double z, double) { return 1 / z; })));
+  EXPECT_TRUE(warned(words_on_depth([](double z, double ray) { return 3 / (z * ray); })));
 }
 
 TEST(Variations, OnePicture) {

@@ -1,6 +1,7 @@
 // Is depth measured along the camera's axis or along the pixel's ray? Against the positions where there are any; else by the planes of the scene,
 // whose 1/z is linear over the image.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -18,6 +19,7 @@ namespace {
 struct Misfit {
   double z, distance;
   std::string measure;
+  double inverse = std::numeric_limits<double>::infinity();  ///< as 1/z or 1/distance
 };
 
 std::optional<Misfit> against_positions(const Asked& asked, const Reading& reading) {
@@ -38,28 +40,38 @@ std::optional<Misfit> against_positions(const Asked& asked, const Reading& readi
   return Misfit{median(z), median(distance), "of the depth, from the positions"};
 }
 
+/// What is linear over the image of a plane where depth is z, distance, 1/z or 1/distance. `ray`: the distance of z = 1 along the pixel's ray.
+std::array<double, 4> linear_on_planes(double depth, double ray) { return {1 / depth, ray / depth, depth, depth * ray}; }
+
 /// Second differences of 1/z along rows, relative to 1/z: rounding is all that is left of them on a plane.
 std::optional<Misfit> by_planes(const Asked& asked, const Reading& reading) {
   const Lens& lens = *reading.camera->lens;
-  std::vector<double> z, distance;
+  std::array<std::vector<double>, 4> bends;
   for (const SampledBand& band : asked.bands) {
     const int apart = std::max(1, band.window.width() / 64);  // far enough that planes stand out from the depth's rounding
     for (int y = 0; y < band.window.height(); ++y)
       for (int x = apart; x + apart < band.window.width(); ++x) {
-        const auto inverse = [&](int at, bool along_ray) {
+        const auto linear = [&](int at) {
           const double across = (band.window.min_x + at + 0.5 - lens.centre_x) / lens.scale_x;
           const double up = (lens.centre_y - (band.window.min_y + y + 0.5)) / lens.scale_y;
           const double depth = std::abs(band.value("depth", band.index(at, y)));
-          return (along_ray ? std::sqrt(1 + across * across + up * up) : 1) / (depth < reading.background_depth ? depth : 0);
+          return linear_on_planes(depth < reading.background_depth ? depth : 0, std::sqrt(1 + across * across + up * up));
         };
-        const auto bend = [&](bool along_ray) {
-          return std::abs(inverse(x - apart, along_ray) + inverse(x + apart, along_ray) - 2 * inverse(x, along_ray)) / inverse(x, along_ray);
-        };
-        if (std::isfinite(bend(false))) z.push_back(bend(false)), distance.push_back(bend(true));
+        const auto left = linear(x - apart), here = linear(x), right = linear(x + apart);
+        if (!std::isfinite(left[0] + here[0] + right[0])) continue;
+        for (std::size_t k = 0; k < bends.size(); ++k) bends[k].push_back(std::abs(left[k] + right[k] - 2 * here[k]) / here[k]);
       }
   }
-  if (z.size() < 64) return {};
-  return Misfit{median(z), median(distance), "of 1/z, bent over what should be planes"};
+  if (bends[0].size() < 64) return {};
+  return Misfit{median(bends[0]), median(bends[1]), "of 1/z, bent over what should be planes", std::min(median(bends[2]), median(bends[3]))};
+}
+
+/// Disparity, or a depth buffer: nothing says between which planes it is scaled, so no position can be made of it.
+void note_inverse_depth(const Misfit& misfit, Reading& reading) {
+  constexpr double clearly = 10;  // times better: on tilted planes it is hundreds, on curved surfaces and on walls that face the camera 1 to 2
+  if (clearly * misfit.inverse < std::min(misfit.z, misfit.distance))
+    reading.notes.push_back("warning: depth is linear over planes as 1/z would be, not z: positions made from it are then wrong (" +
+                            reading.roles.at("depth").layer + "; --map position=LAYER or --map depth=LAYER names another)");
 }
 
 /// A depth that fills 0..1 is likelier to be scaled for looking at than to be that of a scene less than one unit deep.
@@ -85,6 +97,7 @@ void ask_depth_kind(const Asked& asked, Reading& reading) {
   if (made && !reading.camera->lens) return;
   const auto misfit = made ? by_planes(asked, reading) : against_positions(asked, reading);
   if (!misfit) return;
+  if (made) note_inverse_depth(*misfit, reading);
   constexpr double clearly = 1.5;  // times better: half-precision depths blur the difference
   const bool sure = std::max(misfit->z, misfit->distance) > clearly * std::min(misfit->z, misfit->distance);
   if (sure) reading.depth_kind = misfit->z < misfit->distance ? DepthKind::z : DepthKind::distance;
