@@ -54,6 +54,7 @@ inline mask operator==(real a, real b) { return a.value == b.value; }
 
 RELUME_FN real choose(mask m, real a, real b) { return m ? a : b; }
 RELUME_FN integer choose_integer(mask m, integer a, integer b) { return m ? a : b; }
+RELUME_FN real fused(real a, real b, real c) { return std::fma(a.value, b.value, c.value); }
 RELUME_FN real square_root(real x) { return inexact(std::sqrt(double(x.value)), 3, error_of(x.value, 0)); }
 RELUME_FN real whole_below(real x) { return std::floor(x.value); }
 RELUME_FN real absolute(real x) { return std::fabs(x.value); }
@@ -76,7 +77,7 @@ class InexactBand : public Band {
   explicit InexactBand(const BandData& data) : data_(data) {}
   void shade(const Choice& choice, const Frame& frame, const Progress&) override {
     for (int i = 0; i < frame.pixels; ++i)
-      shade_pixels(choice, data_.planes->data(), &frame, data_.lights.data(), data_.tables.data(), data_.out->data(), i);
+      shade_pixels(choice, data_.planes->data(), &frame, data_.lights.data(), data_.lists.data(), data_.tables.data(), data_.out->data(), i);
   }
   void evaluate(const Choice&, const Frame&) override {}
   void finish() override {}
