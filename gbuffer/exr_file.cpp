@@ -25,6 +25,7 @@
 #include "gbuffer/input_stream.h"
 #include "gbuffer/printable.h"
 #include "gbuffer/watched.h"
+#include "gbuffer/zip_rows.h"
 
 namespace relume {
 namespace {
@@ -55,10 +56,10 @@ Part describe(int index, const Imf::Header& header) {
   return part;
 }
 
-/// OpenEXR begins with 'Error reading pixel data from image file "shot.exr". ', which our line has said already.
+/// OpenEXR begins with 'Error reading pixel data from image file "shot.exr". ', once or twice, which our line has said already.
 std::string cause(const char* message) {
   const char* const end = std::strstr(message, "image file ") ? std::strstr(message, "\". ") : nullptr;
-  return printable(end ? end + 3 : message);
+  return end ? cause(end + 3) : printable(message);
 }
 
 constexpr std::int64_t some = 256 << 20;  // bytes: for OpenEXR's blocks in flight, and for what it needs beside them
@@ -72,11 +73,10 @@ std::int64_t decoding_bytes(std::int64_t block_bytes) {
   return some + copies * block_bytes * std::max(1, 2 * decoding_threads(block_bytes));
 }
 
-/// Runs library code, watched and within so many bytes; what it throws becomes one line that begins with `place`.
+/// Runs library code, watched; what it throws becomes one line that begins with `place`.
 template <class Work>
-void in_library(const std::string& place, Foreign code, const std::string& file, std::int64_t bytes, const Work& work) {
+void in_library(const std::string& place, Foreign code, const std::string& file, const Work& work) {
   const InForeignCode watched(code, file);
-  const Allowance allowance(bytes);
   try {
     work();
   } catch (const Error&) {
@@ -203,7 +203,8 @@ ExrFile::ExrFile(const std::filesystem::path& file, const ReadLimits& limits) : 
   std::call_once(threads, [] { Imf::setGlobalThreadCount(int(std::thread::hardware_concurrency())); });  // OpenEXR's own default is none
   state.block_bytes = check_headers(state.stream, limits);
   constexpr std::int64_t header_bytes = 2 * some;  // attributes of 64 MB at most, chunk tables, and our copy of them
-  in_library(state.stream.name(), Foreign::header, state.stream.name(), header_bytes, [&] {
+  in_library(state.stream.name(), Foreign::header, state.stream.name(), [&] {
+    const Allowance allowance(header_bytes);
     // No reconstruction of a missing chunk table: it scans the whole file by lengths that the file claims, and a file without a table
     // was never finished, so its pixels are not to be trusted.
     constexpr bool reconstruct = false;
@@ -251,15 +252,15 @@ void ExrFile::read(int index, const Window& window, std::span<const Destination>
   for (const Destination& to : destinations) (seen.insert(to.channel).second ? once : again).push_back(to);
   if (once.empty()) return;
 
-  {
+  const bool whole_rows = window.min_x == part.data_window.min_x && window.max_x == part.data_window.max_x;
+  const char* const what = state_->file->partComplete(index) ? ": damaged pixel data" : ": incomplete pixel data (writing it was never finished)";
+  in_library(state_->place(index) + what, Foreign::pixels, state_->place(index), [&] {
+    Imf::InputPart input(*state_->file, index);
+    if (reads_zip_rows(part, once)) return read_zip_rows(input, part, window, once, decoding_threads(state_->block_bytes));
     const std::lock_guard lock(state_->mutex);
-    const bool whole_rows = window.min_x == part.data_window.min_x && window.max_x == part.data_window.max_x;
-    const char* const what = state_->file->partComplete(index) ? ": damaged pixel data" : ": incomplete pixel data (writing it was never finished)";
-    in_library(state_->place(index) + what, Foreign::pixels, state_->place(index), decoding_bytes(state_->block_bytes), [&] {
-      Imf::InputPart input(*state_->file, index);
-      whole_rows ? decode_rows(input, window, once) : decode_columns(input, part.data_window, window, once);
-    });
-  }
+    const Allowance allowance(decoding_bytes(state_->block_bytes));
+    whole_rows ? decode_rows(input, window, once) : decode_columns(input, part.data_window, window, once);
+  });
   std::vector<Destination> of_other_types;
   for (const Destination& to : again) {
     const auto first = std::find_if(once.begin(), once.end(), [&](const Destination& d) { return d.channel == to.channel; });

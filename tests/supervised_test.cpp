@@ -64,6 +64,9 @@ TEST_F(Supervised, ADecoderThatFailsIsTheFilesFault) {
 }
 
 TEST_F(Supervised, ADecoderThatEatsMemoryIsStopped) {
+  MadeUpGBuffer made;
+  made.compression = Imf::PXR24_COMPRESSION;
+  write_gbuffer(in("g.exr"), made);
   const ProgramRun run = run_program(shade({"--device", "twin"}), {}, decoder("memory"));
   EXPECT_EQ(run.code, 4);
   EXPECT_EQ(run.err, "relume: " + in("g.exr") + ": part 0: damaged pixel data: not enough memory to decode it\n");
