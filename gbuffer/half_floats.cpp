@@ -1,12 +1,18 @@
 // floats_of, halves_of: chosen when the program starts, for it is built for processors of any age.
 #include "gbuffer/half_floats.h"
 
+#include <algorithm>
+#include <cmath>
 #ifdef __x86_64__
 #include <immintrin.h>
 #endif
 
 namespace relume {
 namespace {
+
+constexpr float largest = 65504;  // of half
+
+float in_half_range(float value) { return std::isfinite(value) ? std::clamp(value, -largest, largest) : value; }
 
 #ifdef __x86_64__
 
@@ -21,9 +27,14 @@ __attribute__((target("avx,f16c"))) std::size_t floats_by_eight(const half* from
 }
 
 __attribute__((target("avx,f16c"))) std::size_t halves_by_eight(const float* from, half* to, std::size_t count) {
+  const __m256 most = _mm256_set1_ps(largest), least = _mm256_set1_ps(-largest), infinity = _mm256_set1_ps(INFINITY);
   std::size_t i = 0;
-  for (; i + 8 <= count; i += 8)
-    _mm_storeu_si128(reinterpret_cast<__m128i*>(to + i), _mm256_cvtps_ph(_mm256_loadu_ps(from + i), _MM_FROUND_TO_NEAREST_INT));
+  for (; i + 8 <= count; i += 8) {
+    const __m256 value = _mm256_loadu_ps(from + i), in_range = _mm256_min_ps(most, _mm256_max_ps(least, value));  // NaN, as the second, stays
+    const __m256 infinite = _mm256_cmp_ps(_mm256_andnot_ps(_mm256_set1_ps(-0.0f), value), infinity, _CMP_EQ_OQ);
+    const __m256 kept = _mm256_blendv_ps(in_range, value, infinite);
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(to + i), _mm256_cvtps_ph(kept, _MM_FROUND_TO_NEAREST_INT));
+  }
   return i;
 }
 
@@ -42,7 +53,7 @@ void floats_of(const half* from, float* to, std::size_t count) {
 }
 
 void halves_of(const float* from, half* to, std::size_t count) {
-  for (std::size_t i = has_instructions ? halves_by_eight(from, to, count) : 0; i < count; ++i) to[i] = half(from[i]);
+  for (std::size_t i = has_instructions ? halves_by_eight(from, to, count) : 0; i < count; ++i) to[i] = half(in_half_range(from[i]));
 }
 
 }  // namespace relume

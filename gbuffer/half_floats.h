@@ -10,7 +10,8 @@ namespace relume {
 
 void floats_of(const half* from, float* to, std::size_t count);
 
-/// Rounds to the nearest, of two equals to the even one.
+/// Rounds to the nearest, of two equals to the even one. What is finite stays so: beyond half's range it becomes the largest half, for a bright
+/// highlight that is a number is something that filters and denoisers can use.
 void halves_of(const float* from, half* to, std::size_t count);
 
 }  // namespace relume

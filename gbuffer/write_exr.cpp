@@ -11,15 +11,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <exception>
 #include <mutex>
 #include <thread>
 
 #include "gbuffer/error.h"
+#include "gbuffer/half_floats.h"
 #include "gbuffer/printable.h"
 #include "gbuffer/whole_file.h"
+#include "gbuffer/zip_output.h"
 
 namespace relume {
 namespace {
@@ -77,11 +78,6 @@ Imf::Header kept_attributes(const Imf::Header& like, const std::vector<std::pair
 
 Imath::Box2i box_of(const Window& window) { return {{window.min_x, window.min_y}, {window.max_x - 1, window.max_y - 1}}; }
 
-float in_half_range(float value) {
-  constexpr float largest = 65504;  // of half: a bright highlight stays a number, which filters and denoisers can use, where rounding gives infinity
-  return std::isfinite(value) ? std::clamp(value, -largest, largest) : value;
-}
-
 /// OpenEXR's output onto a WholeFile. OutputFile's destructor swallows what a write throws, so the first failure is kept here.
 class OutputStream : public Imf::OStream {
  public:
@@ -114,6 +110,14 @@ class OutputStream : public Imf::OStream {
 
 }  // namespace
 
+const float* Source::row(int y, int width, std::vector<float>& gathered) const {
+  const char* const from = reinterpret_cast<const char*>(first) + std::size_t(y) * y_stride;
+  if (x_stride == sizeof(float)) return reinterpret_cast<const float*>(from);
+  gathered.resize(std::size_t(width));
+  for (std::size_t x = 0; x < gathered.size(); ++x) std::memcpy(&gathered[x], from + x * x_stride, sizeof(float));
+  return gathered.data();
+}
+
 const std::vector<std::string>& compression_names() {
   static const std::vector<std::string> names = {"none", "rle", "zips", "zip", "piz", "pxr24", "b44", "b44a", "dwaa", "dwab"};
   return names;
@@ -138,6 +142,7 @@ struct ExrWriter::State {
   }
 
   void verify(const std::filesystem::path& written) const;
+  void encode(int rows, std::span<const Source> sources);
   Imf::Slice half_slice(const Source& source, int rows, std::vector<half>& samples) const;
 
   std::string name;  ///< printable
@@ -147,7 +152,8 @@ struct ExrWriter::State {
   int next_row = 0;
   WholeFile file;
   OutputStream stream{file};
-  std::unique_ptr<Imf::OutputFile> output;
+  std::unique_ptr<Imf::OutputFile> output;  ///< of the codecs that OpenEXR encodes
+  std::unique_ptr<ZipOutput> zip;           ///< of the others
 };
 
 ExrWriter::ExrWriter(const std::filesystem::path& file, const OutputFormat& format, const Imf::Header& like, const Window& data_window,
@@ -170,7 +176,10 @@ ExrWriter::ExrWriter(const std::filesystem::path& file, const OutputFormat& form
     header.compression() = compression;
     const Imf::Channel stored(format.type == SampleType::float32 ? Imf::FLOAT : Imf::HALF);
     for (const std::string& channel : channels) header.channels().insert(channel, stored);
-    state.output = std::make_unique<Imf::OutputFile>(state.stream, header, Imf::globalThreadCount());
+    if (compression == Imf::ZIP_COMPRESSION || compression == Imf::ZIPS_COMPRESSION)
+      state.zip = std::make_unique<ZipOutput>(state.stream, header);
+    else
+      state.output = std::make_unique<Imf::OutputFile>(state.stream, header, Imf::globalThreadCount());
   });
 }
 
@@ -178,34 +187,34 @@ ExrWriter::~ExrWriter() = default;
 
 Imf::Slice ExrWriter::State::half_slice(const Source& source, int rows, std::vector<half>& samples) const {
   samples.resize(std::size_t(window.width()) * std::size_t(rows));
-  half* to = samples.data();
-  for (int y = 0; y < rows; ++y) {
-    const char* from = reinterpret_cast<const char*>(source.first) + std::size_t(y) * source.y_stride;
-    for (int x = 0; x < window.width(); ++x, from += source.x_stride) *to++ = half(in_half_range(*reinterpret_cast<const float*>(from)));
-  }
+  std::vector<float> gathered;
+  for (int y = 0; y < rows; ++y)
+    halves_of(source.row(y, window.width(), gathered), samples.data() + std::size_t(y) * std::size_t(window.width()), std::size_t(window.width()));
   return Imf::Slice::Make(Imf::HALF, samples.data(), Imath::V2i(window.min_x, next_row), window.width(), rows);
+}
+
+void ExrWriter::State::encode(int rows, std::span<const Source> sources) {
+  std::vector<std::vector<half>> halves(sources.size());
+  Imf::FrameBuffer frame;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const Source& from = sources[i];
+    if (type == SampleType::half_float)
+      frame.insert(from.channel, half_slice(from, rows, halves[i]));
+    else
+      frame.insert(from.channel,
+                   Imf::Slice::Make(Imf::FLOAT, from.first, Imath::V2i(window.min_x, next_row), window.width(), rows, from.x_stride, from.y_stride));
+  }
+  output->setFrameBuffer(frame);
+  output->writePixels(rows);
 }
 
 void ExrWriter::write_rows(int rows, std::span<const Source> sources) {
   State& state = *state_;
   if (rows < 1 || rows > state.window.max_y - state.next_row) throw Error(ErrorKind::internal, state.name + ": more rows than the window has");
-  std::vector<std::vector<half>> halves(sources.size());
-  state.in_library([&] {
-    Imf::FrameBuffer frame;
-    for (std::size_t i = 0; i < sources.size(); ++i) {
-      const Source& from = sources[i];
-      if (state.type == SampleType::half_float)
-        frame.insert(from.channel, state.half_slice(from, rows, halves[i]));
-      else
-        frame.insert(from.channel, Imf::Slice::Make(Imf::FLOAT, from.first, Imath::V2i(state.window.min_x, state.next_row), state.window.width(),
-                                                    rows, from.x_stride, from.y_stride));
-    }
-    // OpenEXR would fill a channel without a slice with zeros.
-    for (const std::string& channel : state.channels)
-      if (!frame.findSlice(channel)) throw Error(ErrorKind::internal, state.name + ": no rows given for channel \"" + printable(channel) + '"');
-    state.output->setFrameBuffer(frame);
-    state.output->writePixels(rows);
-  });
+  for (const std::string& channel : state.channels)
+    if (std::none_of(sources.begin(), sources.end(), [&](const Source& source) { return source.channel == channel; }))
+      throw Error(ErrorKind::internal, state.name + ": no rows given for channel \"" + printable(channel) + '"');
+  state.in_library([&] { state.zip ? state.zip->write_rows(rows, sources) : state.encode(rows, sources); });
   state.next_row += rows;
 }
 
@@ -232,6 +241,7 @@ void ExrWriter::commit() {
     throw Error(ErrorKind::internal, state.name + ": " + std::to_string(state.window.max_y - state.next_row) + " rows were not written");
   state.in_library([&] {
     state.output.reset();  // writes the chunk table
+    if (state.zip) state.zip->finish();
     state.stream.rethrow();
     state.file.commit([&](const std::filesystem::path& written) { state.verify(written); });
   });

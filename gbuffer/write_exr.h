@@ -31,6 +31,9 @@ struct Source {
   const float* first;    ///< first pixel of the band
   std::size_t x_stride;  ///< bytes
   std::size_t y_stride;  ///< bytes
+
+  /// Row `y` of the band side by side: where it is, or in `gathered`.
+  const float* row(int y, int width, std::vector<float>& gathered) const;
 };
 
 class ExrWriter {
