@@ -30,7 +30,7 @@ constexpr int attempts = 3;           // as it is; with nothing compiled kept; w
 /// Seconds without progress; 0: any number. Compilers of drivers take their time: rusticl up to 76 s for a program (docs/portability.md).
 int patience() {
   const char* const text = std::getenv("RELUME_TIMEOUT");
-  return (text && *text ? std::clamp(std::atoi(text), 0, 1 << 20) : 60) * (watched().now == Foreign::driver ? 5 : 1);
+  return (text && *text ? std::clamp(std::atoi(text), 0, 1 << 20) : 60) * (watched().now() == Foreign::driver ? 5 : 1);
 }
 
 /// How a child came to its end.
@@ -70,7 +70,7 @@ class Watchdog {
     silent_ += counted(used - std::exchange(used_, used));
     if (finished_) return silent_ >= longest_tidying;
     const int most = patience();
-    return most > 0 && (silent_ >= most || (w.now == Foreign::header && used - used_at_beat_ > std::min(longest_header, double(most))));
+    return most > 0 && (silent_ >= most || (w.now() == Foreign::header && used - used_at_beat_ > std::min(longest_header, double(most))));
   }
 
  private:
@@ -79,7 +79,7 @@ class Watchdog {
   double counted(double used) const {
     constexpr double next_to_nothing = 0.05;
     if (used > next_to_nothing) return std::min(used, 1.0);
-    return watched().now != Foreign::none || finished_ ? 1 : 0;
+    return watched().now() != Foreign::none || finished_ ? 1 : 0;
   }
 
   double processor_seconds() const {
@@ -160,11 +160,11 @@ int explain(const End& end) {
     std::raise(WTERMSIG(end.status));
   }
   const std::string what = what_happened(end);
-  if (w.now == Foreign::header && end.stuck)
+  if (w.now() == Foreign::header && end.stuck)
     return say(file + ": its header keeps OpenEXR busy without an end: damaged, or made to", ErrorKind::input);
-  if (w.now == Foreign::header || w.now == Foreign::pixels)
+  if (w.now() == Foreign::header || w.now() == Foreign::pixels)
     return say(file + ": OpenEXR, which decodes it, " + what + ": the file is damaged, or made to do this; nothing was written", ErrorKind::input);
-  if (w.now == Foreign::driver || w.driver_loaded)
+  if (w.now() == Foreign::driver || w.driver_loaded)
     return say("the OpenCL driver " + what + "; nothing was written (--device twin needs no driver)", ErrorKind::device);
   return say("a defect of ours: the program " + what + "; nothing was written", ErrorKind::internal);
 }
@@ -173,7 +173,7 @@ int explain(const End& end) {
 bool worth_another(const End& end) {
   const Watched& w = watched();
   const bool died = WIFSIGNALED(end.status) ? is_crash(WTERMSIG(end.status)) : true;
-  const bool decoding = w.now == Foreign::header || w.now == Foreign::pixels;
+  const bool decoding = w.now() == Foreign::header || w.now() == Foreign::pixels;
   return died && !end.stuck && w.driver_loaded && !decoding && !w.input_used;
 }
 

@@ -194,6 +194,7 @@ struct ExrFile::State {
   std::vector<Part> parts;
   std::vector<std::string> views;
   std::int64_t block_bytes = 0;  ///< of the largest block of rows or tile
+  std::int64_t room = 0;         ///< bytes, for other threads
   std::mutex mutex;              ///< OpenEXR keeps one frame buffer a part: setting it and reading belong together
 };
 
@@ -221,6 +222,8 @@ ExrFile::ExrFile(ExrFile&&) noexcept = default;
 const std::filesystem::path& ExrFile::path() const { return state_->path; }
 const std::vector<Part>& ExrFile::parts() const { return state_->parts; }
 const std::vector<std::string>& ExrFile::views() const { return state_->views; }
+int ExrFile::rows_in_block(int part) const { return block_rows(state_->parts[std::size_t(part)].header); }
+void ExrFile::leave_room(std::int64_t bytes) { state_->room = bytes; }
 
 namespace {
 
@@ -256,9 +259,9 @@ void ExrFile::read(int index, const Window& window, std::span<const Destination>
   const char* const what = state_->file->partComplete(index) ? ": damaged pixel data" : ": incomplete pixel data (writing it was never finished)";
   in_library(state_->place(index) + what, Foreign::pixels, state_->place(index), [&] {
     Imf::InputPart input(*state_->file, index);
-    if (reads_zip_rows(part, once)) return read_zip_rows(input, part, window, once, decoding_threads(state_->block_bytes));
+    if (reads_zip_rows(part, once)) return read_zip_rows(input, part, window, once, rows_in_block(index), decoding_threads(state_->block_bytes));
     const std::lock_guard lock(state_->mutex);
-    const Allowance allowance(decoding_bytes(state_->block_bytes));
+    const Allowance allowance(decoding_bytes(state_->block_bytes) + state_->room);
     whole_rows ? decode_rows(input, window, once) : decode_columns(input, part.data_window, window, once);
   });
   std::vector<Destination> of_other_types;

@@ -68,7 +68,13 @@ class ExrFile {
   /// File-wide: the multiView attribute's names, first is the default view; empty if there is none.
   const std::vector<std::string>& views() const;
 
-  /// Decodes the window of one part, which must lie inside its data window; scan-line or tiled alike.
+  /// Rows that are packed together, counted from the top of the part's data window: windows of whole blocks decode each once.
+  int rows_in_block(int part) const;
+
+  /// While OpenEXR decodes, the whole process may take only so much memory: how much of it is for what other threads do meanwhile.
+  void leave_room(std::int64_t bytes);
+
+  /// Decodes the window of one part, which must lie inside its data window; scan-line or tiled alike. From any thread.
   void read(int part, const Window& window, std::span<const Destination> destinations) const;
 
  private:

@@ -17,25 +17,31 @@ Watched& watched() {
   return shared;
 }
 
+Foreign Watched::now() const noexcept {
+  for (const Foreign code : {Foreign::driver, Foreign::pixels, Foreign::header})
+    if (running[int(code)] > 0) return code;
+  return Foreign::none;
+}
+
 void Watched::reset() noexcept {
-  now = Foreign::none;
+  for (std::atomic<int>& threads : running) threads = 0;
   driver_loaded = input_used = finished = false;
   file[0] = folder[0] = '\0';
 }
 
-InForeignCode::InForeignCode(Foreign code, std::string_view file) : before_(watched().now.load()) {
+InForeignCode::InForeignCode(Foreign code, std::string_view file) : code_(code) {
   Watched& w = watched();
   if (!file.empty()) {
     const std::size_t length = file.copy(w.file, sizeof w.file - 1);
     w.file[length] = '\0';
   }
   if (code == Foreign::driver) w.driver_loaded = true;
-  w.now = code;
+  ++w.running[int(code)];
   beat();
 }
 
 InForeignCode::~InForeignCode() {
-  watched().now = before_;
+  --watched().running[int(code_)];
   beat();
 }
 

@@ -15,10 +15,11 @@ enum class Foreign : int {
   pixels,  ///< OpenEXR decodes pixels
   driver   ///< OpenCL
 };
+constexpr int foreign_kinds = 4;
 
 struct Watched {
   std::atomic<std::uint64_t> beats{0};      ///< grows wherever the process gets on
-  std::atomic<Foreign> now{Foreign::none};  ///< what runs at present
+  std::atomic<int> running[foreign_kinds]{};  ///< threads that are in each kind of foreign code
   std::atomic<bool> driver_loaded{false};   ///< its threads may crash us at any time from then on
   std::atomic<bool> input_used{false};      ///< standard input was read, and cannot be read again
   std::atomic<bool> finished{false};        ///< the job has ended and its code stands; what follows is tidying
@@ -26,6 +27,9 @@ struct Watched {
   char file[PATH_MAX] = {};                 ///< that `header` and `pixels` are of, printable
   char folder[PATH_MAX] = {};               ///< a temporary folder, to be removed by whoever remains
 
+  /// What runs at present. Beside pixels that are decoded a driver may run: it is the one named, for what it takes down is tried again without it,
+  /// and then the pixels are alone.
+  Foreign now() const noexcept;
   /// Before a child begins.
   void reset() noexcept;
   /// For the end of the job and for signal handlers.
@@ -34,7 +38,7 @@ struct Watched {
     finished = true;
   }
 };
-static_assert(std::atomic<std::uint64_t>::is_always_lock_free && std::atomic<Foreign>::is_always_lock_free, "read by another process");
+static_assert(std::atomic<std::uint64_t>::is_always_lock_free && std::atomic<int>::is_always_lock_free, "read by another process");
 
 /// One for a process and those that it forks.
 Watched& watched();
@@ -42,7 +46,7 @@ Watched& watched();
 /// The process got on. Cheap: for each block read or written, each slice shaded.
 inline void beat() noexcept { watched().beats.fetch_add(1, std::memory_order_relaxed); }
 
-/// Says for its lifetime that foreign code runs. They nest; the innermost counts.
+/// Says for its lifetime that foreign code runs in this thread.
 class InForeignCode {
  public:
   explicit InForeignCode(Foreign code, std::string_view file = {});
@@ -51,7 +55,7 @@ class InForeignCode {
   InForeignCode& operator=(const InForeignCode&) = delete;
 
  private:
-  Foreign before_;
+  Foreign code_;
 };
 
 }  // namespace relume

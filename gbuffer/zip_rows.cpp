@@ -22,8 +22,6 @@ static_assert(std::endian::native == std::endian::little, "samples are stored wi
 
 std::size_t bytes_of(SampleType type) { return type == SampleType::half_float ? 2 : 4; }
 
-int rows_in_block(const Part& part) { return part.header.compression() == Imf::ZIP_COMPRESSION ? 16 : 1; }
-
 /// One channel on its way from a row of a block to where it is wanted.
 struct Course {
   std::size_t offset;  ///< bytes into the row, of the first pixel asked for
@@ -62,13 +60,13 @@ void scatter(const char* from, std::size_t bytes, std::size_t count, char* to, s
 /// The memory of one worker.
 class Worker {
  public:
-  Worker(const Imf::InputPart& input, const Part& part, const Window& window, const Plan& plan)
-      : input_(input), part_(part), window_(window), plan_(plan) {}
+  Worker(const Imf::InputPart& input, const Part& part, const Window& window, int block_rows, const Plan& plan)
+      : input_(input), part_(part), window_(window), block_rows_(block_rows), plan_(plan) {}
 
   /// The rows asked for of the block that begins with row `top`.
   void read_block(int top) {
-    const int end = std::min(top + rows_in_block(part_), part_.data_window.max_y);
-    packed_.resize(plan_.row_bytes * std::size_t(rows_in_block(part_)));  // the most that OpenEXR reads
+    const int end = std::min(top + block_rows_, part_.data_window.max_y);
+    packed_.resize(plan_.row_bytes * std::size_t(block_rows_));  // the most that OpenEXR reads
     int size = 0;
     input_.rawPixelDataToBuffer(top, packed_.data(), size);
     unpacker_.unpack({packed_.data(), std::size_t(size)}, plan_.row_bytes * std::size_t(end - top));
@@ -98,6 +96,7 @@ class Worker {
   const Imf::InputPart& input_;
   const Part& part_;
   const Window& window_;
+  const int block_rows_;
   const Plan& plan_;
   ZipUnpacker unpacker_;
   std::vector<char> packed_, samples_;
@@ -119,18 +118,18 @@ bool reads_zip_rows(const Part& part, std::span<const Destination> destinations)
   });
 }
 
-void read_zip_rows(const Imf::InputPart& input, const Part& part, const Window& window, std::span<const Destination> destinations, int threads) {
+void read_zip_rows(const Imf::InputPart& input, const Part& part, const Window& window, std::span<const Destination> destinations, int block_rows,
+                   int threads) {
   const Plan plan = plan_of(part, window, destinations);
-  const int rows = rows_in_block(part), first = (window.min_y - part.data_window.min_y) / rows;
-  const int last = (window.max_y - 1 - part.data_window.min_y) / rows;
+  const int first = (window.min_y - part.data_window.min_y) / block_rows, last = (window.max_y - 1 - part.data_window.min_y) / block_rows;
   std::atomic<int> next{first};
   const int workers = std::clamp(threads, 1, last - first + 1);
   tbb::parallel_for(
       tbb::blocked_range<int>(0, workers, 1),
       [&](const auto&) {
-        Worker worker(input, part, window, plan);
+        Worker worker(input, part, window, block_rows, plan);
         try {
-          for (int block; (block = next++) <= last;) worker.read_block(part.data_window.min_y + block * rows);
+          for (int block; (block = next++) <= last;) worker.read_block(part.data_window.min_y + block * block_rows);
         } catch (...) {
           next = last + 1;  // the others need not go on
           throw;

@@ -1,8 +1,11 @@
 // relight(): understand the file, bind materials, shade band by band, write.
 #include "host/relight.h"
 
+#include <tbb/parallel_pipeline.h>
+
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "gbuffer/convention.h"
 #include "gbuffer/error.h"
@@ -10,6 +13,7 @@
 #include "gbuffer/picture.h"
 #include "gbuffer/watched.h"
 #include "host/band_shading.h"
+#include "host/bands.h"
 #include "host/binding.h"
 #include "host/camera_choice.h"
 #include "host/device.h"
@@ -36,6 +40,11 @@ OutputLayout layout_of(const RelightJob& job, const LightLinks& lights) {
     }
   return layout;
 }
+
+struct BandInWork {
+  GBuffer gbuffer;
+  Planes out;
+};
 
 /// One relight in progress: what the stages share.
 class Relight {
@@ -64,8 +73,10 @@ class Relight {
   void write_alpha(const GBuffer& gbuffer, Planes& out) const;
   bool ambient_is_a_share() const;
   glm::dvec3 mean_irradiance();
-  void shade_band(GBuffer& gbuffer, Planes& out);
-  int band_rows(const Window& window) const;
+  void shade_band(BandInWork& band);
+  void write_band(const BandInWork& band, ExrWriter& writer, Picture& picture) const;
+  void run_bands(ExrWriter& writer, Picture& picture);
+  Bands bands(const Window& window) const;
   GBuffer read_band(const Window& band);
   void keep_for_png(const Planes& out, const Window& band, Picture& picture) const;
 
@@ -78,7 +89,7 @@ class Relight {
   const RelightJob& job_;
   const Observer& observer_;
   RelightSummary summary_;
-  Stopwatch watch_;
+  Stopwatch watch_, shade_watch_;
   ExrFile file_;
   Reading reading_;
   Rig rig_;
@@ -165,26 +176,23 @@ void Relight::open() {
   watch_.lap("compile");
 }
 
-/// Rows of a band: planes in and out within the memory given, and each buffer within what the device takes.
-int Relight::band_rows(const Window& window) const {
-  std::int64_t in = 3 + 3 + 3 + 1 + 1 + binding_->spare_planes();
+/// Planes in and out within the memory given, and each buffer within what the device takes.
+Bands Relight::bands(const Window& window) const {
+  std::int64_t in = 3 + 3 + 3 + 1 + 3 + binding_->spare_planes();  // and what is read beside the planes: depth, ids, materials
   for (const std::string& role : roles_) in += is_made(reading_, role) ? 3 : std::int64_t(reading_.roles.at(role).channels.size());
-  const std::int64_t out = shading_->planes();
-  const int samples = reading_.filtered ? Mixtures::most_surfaces : 1;
+  const std::int64_t out = shading_->planes(), samples = reading_.filtered ? Mixtures::most_surfaces : 1;
   const std::int64_t largest = std::max(in, out), row = window.width() * std::int64_t(sizeof(float)) * samples;
-  const std::int64_t by_memory = job_.memory / ((in + out) * row),
-                     by_device = std::int64_t(device_->info().max_allocation / std::uint64_t(largest * row));
   // Offsets into the planes are 32-bit ints.
   const std::int64_t by_index = ((std::int64_t(1) << 31) / largest - std::int64_t(Planes::granule)) / (window.width() * samples);
-  const std::int64_t rows = std::min({by_memory, by_device, by_index, std::int64_t(window.height())});
-  if (rows < 1)
-    throw Error(ErrorKind::memory, job_.gbuffer.string() + ": one row needs " + std::to_string((in + out) * row) +
-                                       " bytes of planes; --memory allows " + std::to_string(job_.memory));
-  return int(rows);
+  const std::int64_t by_device = std::int64_t(device_->info().max_allocation / std::uint64_t(largest * row));
+  // Bands whose pixels are told by their neighbours read some rows of the next as well: larger ones read fewer twice.
+  const bool has_margins = reading_.filtered || reading_.position_premultiplied || is_made(reading_, "normal");
+  const std::int64_t good_pixels = has_margins ? 1 << 20 : 1 << 18;
+  const Part& part = file_.parts()[std::size_t(reading_.part)];
+  return bands_of(
+      window, {job_.memory, (in + out) * row, std::min(by_device, by_index), good_pixels, part.data_window.min_y, file_.rows_in_block(part.index)},
+      job_.gbuffer.string());
 }
-
-/// Rows of a window, as many as it still has.
-Window rows_of(const Window& window, int first, int count) { return {window.min_x, first, window.max_x, std::min(first + count, window.max_y)}; }
 
 GBuffer Relight::read_band(const Window& band) {
   const Mixtures mixtures = find_mixtures(file_, reading_, band, roles_);
@@ -208,10 +216,9 @@ bool Relight::ambient_is_a_share() const {
 glm::dvec3 Relight::mean_irradiance() {
   BandShading::Irradiance irradiance;
   const Window& whole = reading_.data_window;
-  const int rows = band_rows(whole);
-  for (int row = whole.min_y; row < whole.max_y; row += rows) {
-    GBuffer gbuffer = read_gbuffer(file_, reading_, rows_of(whole, row, rows), roles_, binding_->spare_planes());
-    shading_->add_irradiance(gbuffer, irradiance, [&](std::int64_t) { progress("ambient", double(row - whole.min_y) / whole.height()); });
+  for (const Window& band : bands(whole).windows) {
+    GBuffer gbuffer = read_gbuffer(file_, reading_, band, roles_, binding_->spare_planes());
+    shading_->add_irradiance(gbuffer, irradiance, [&](std::int64_t) { progress("ambient", double(band.min_y - whole.min_y) / whole.height()); });
   }
   return irradiance.mean();
 }
@@ -231,10 +238,59 @@ std::vector<std::pair<std::string, std::string>> Relight::metadata() const {
   return texts;
 }
 
-void Relight::shade_band(GBuffer& gbuffer, Planes& out) {
+void Relight::shade_band(BandInWork& band) {
+  GBuffer& gbuffer = band.gbuffer;
+  summary_.surface_pixels += gbuffer.surface_pixels;
+  summary_.bad_pixels += gbuffer.bad_pixels;
+  ++summary_.bands;
+  band.out = Planes(std::size_t(gbuffer.samples()), shading_->planes());
+  band.out.add(shading_->planes());
   const double all = double(window_.pixels()) * shading_->rounds();
   double done = double(gbuffer.window.min_y - window_.min_y) * window_.width() * shading_->rounds();
-  shading_->shade(gbuffer, out, watch_, [&](std::int64_t pixels) { progress("shade", std::min((done += double(pixels)) / all, 1.0)); });
+  shading_->shade(gbuffer, band.out, shade_watch_, [&](std::int64_t pixels) { progress("shade", std::min((done += double(pixels)) / all, 1.0)); });
+  write_alpha(gbuffer, band.out);
+  fold_surfaces(gbuffer, band.out);
+  shade_watch_.lap("shade");
+}
+
+void Relight::write_band(const BandInWork& band, ExrWriter& writer, Picture& picture) const {
+  std::vector<Source> sources;
+  for (int p = 0; p < layout_.planes(); ++p)
+    sources.push_back({layout_.channels[std::size_t(p)], band.out.plane(p), sizeof(float), sizeof(float) * std::size_t(window_.width())});
+  writer.write_rows(band.gbuffer.window.height(), sources);
+  if (job_.png) keep_for_png(band.out, band.gbuffer.window, picture);
+}
+
+/// A band is decoded while the one before is shaded and the one before that encoded. Each stage takes bands in order, one at a time, on all cores.
+void Relight::run_bands(ExrWriter& writer, Picture& picture) {
+  using Work = std::shared_ptr<BandInWork>;
+  const Bands all = bands(window_);
+  const std::int64_t driver = std::int64_t(512) << 20;  // bytes: a compiler
+  file_.leave_room(all.bytes + driver);
+  auto next = all.windows.begin();
+  Stopwatch read_watch, write_watch;
+  const auto read = [&](tbb::flow_control& flow) -> Work {
+    if (next == all.windows.end()) return flow.stop(), nullptr;
+    read_watch.start();
+    const Work band = std::make_shared<BandInWork>(BandInWork{read_band(*next++), Planes(0, 0)});
+    read_watch.lap("read");
+    return band;
+  };
+  const auto shade = [&](const Work& band) {
+    shade_watch_.start();
+    shade_band(*band);
+    return band;
+  };
+  const auto write = [&](const Work& band) {
+    write_watch.start();
+    write_band(*band, writer, picture);
+    write_watch.lap("write");
+  };
+  constexpr auto in_order = tbb::filter_mode::serial_in_order;
+  tbb::parallel_pipeline(std::size_t(all.in_flight), tbb::make_filter<void, Work>(in_order, read) & tbb::make_filter<Work, Work>(in_order, shade) &
+                                                         tbb::make_filter<Work, void>(in_order, write));
+  for (const Stopwatch* watch : {&read_watch, &shade_watch_, &write_watch}) watch_.add(*watch);
+  watch_.start();
 }
 
 void Relight::shade_and_write() {
@@ -243,31 +299,12 @@ void Relight::shade_and_write() {
   ExrWriter writer(job_.output, job_.format, part.header, window_, reading_.display_window, layout_.channels, metadata());
   Picture picture;
   if (job_.png) picture = {window_.width(), window_.height(), 4, std::vector<float>(std::size_t(window_.pixels()) * 4)};
-  const int rows = band_rows(window_);
   watch_.lap("prepare");
-  for (int row = window_.min_y; row < window_.max_y; row += rows) {
-    progress("read", double(row - window_.min_y) / window_.height());
-    GBuffer gbuffer = read_band(rows_of(window_, row, rows));
-    watch_.lap("read");
-    summary_.surface_pixels += gbuffer.surface_pixels;
-    summary_.bad_pixels += gbuffer.bad_pixels;
-    ++summary_.bands;
-    Planes out(std::size_t(gbuffer.samples()), shading_->planes());
-    out.add(shading_->planes());
-    shade_band(gbuffer, out);
-    write_alpha(gbuffer, out);
-    fold_surfaces(gbuffer, out);
-    std::vector<Source> sources;
-    for (int p = 0; p < layout_.planes(); ++p)
-      sources.push_back({layout_.channels[std::size_t(p)], out.plane(p), sizeof(float), sizeof(float) * std::size_t(window_.width())});
-    progress("write", double(gbuffer.window.max_y - window_.min_y) / window_.height());
-    writer.write_rows(gbuffer.window.height(), sources);
-    if (job_.png) keep_for_png(out, gbuffer.window, picture);
-    watch_.lap("write");
-  }
+  run_bands(writer, picture);
   if (summary_.bad_pixels)
     note("warning: " + std::to_string(summary_.bad_pixels) + " pixels have a NaN or infinite position or normal: written as showing no surface");
   if (const std::string sentence = mixed_pixels_.sentence(summary_.surface_pixels); !sentence.empty()) note(sentence);
+  progress("write", 1);
   // The picture first: where it cannot be written, the image is not either.
   if (job_.png) write_png(*job_.png, picture, job_.exposure, job_.format.overwrite);
   writer.commit();

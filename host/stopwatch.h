@@ -1,4 +1,4 @@
-// Wall-clock time by stage: each lap goes to the stage that it ends.
+// Wall-clock time by stage: each lap goes to the stage that it ends. Work that overlaps has a watch for each thread of it.
 #pragma once
 
 #include <algorithm>
@@ -13,11 +13,18 @@ class Stopwatch {
  public:
   using Laps = std::vector<std::pair<std::string, double>>;
 
+  /// What has passed since the last lap goes to no stage.
+  void start() { last_ = std::chrono::steady_clock::now(); }
+
   /// Adds the seconds since the last call (or the start) to a stage.
   void lap(const std::string& stage) {
     const auto now = std::chrono::steady_clock::now();
     find(stage) += std::chrono::duration<double>(now - last_).count();
     last_ = now;
+  }
+
+  void add(const Stopwatch& other) {
+    for (const auto& [stage, seconds] : other.laps_) find(stage) += seconds;
   }
 
   /// Stage -> seconds, in the order of their first lap.
