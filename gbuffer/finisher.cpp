@@ -1,6 +1,8 @@
 // What becomes of each pixel.
 #include "gbuffer/finisher.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -18,9 +20,27 @@ Finisher::Finisher(GBuffer& g, const Reading& reading, const LooseLayers& loose)
       tangent_ids_(reading.tangent_ids.begin(), reading.tangent_ids.end()),
       bumped_ids_(reading.bumped_ids.begin(), reading.bumped_ids.end()) {}
 
+std::vector<Finisher::RolePlane> Finisher::role_planes() const {
+  std::vector<RolePlane> all;
+  for (const auto& [role, range] : g_.roles)
+    for (int c = 0; c < range.count && role != "coverage" && !role.starts_with(cryptomatte_role); ++c)
+      all.push_back({g_.planes.plane(range.first + c), role == "albedo" && made_albedo_});
+  return all;
+}
+
 Finisher::Count Finisher::finish(std::size_t begin, std::size_t end) const {
   Count count;
-  for (std::size_t i = begin; i < end; ++i) finish_pixel(i, count);
+  std::array<double, 512> factors;  // of as many pixels at a time as stay in the nearest cache, plane by plane
+  for (std::size_t first = begin; first < end; first += factors.size()) {
+    const std::size_t pixels = std::min(factors.size(), end - first);
+    for (std::size_t k = 0; k < pixels; ++k) factors[k] = finish_pixel(first + k, count);
+    for (const RolePlane& plane : role_planes_)
+      for (std::size_t k = 0; k < pixels; ++k) {
+        const float value = plane.values[first + k];
+        const double factor = plane.quotient ? std::min(factors[k], 1.0) : factors[k];
+        plane.values[first + k] = std::isfinite(value) ? float(value * factor) : 0;
+      }
+  }
   return count;
 }
 
@@ -60,7 +80,7 @@ bool Finisher::in_background(std::size_t i) const {
   return !(depth < reading_.background_depth) || (made_positions_ && depth == 0);
 }
 
-void Finisher::finish_pixel(std::size_t i, Count& count) const {
+double Finisher::finish_pixel(std::size_t i, Count& count) const {
   const double coverage = loose_.coverage.empty() ? 1 : loose_.coverage[i];
   const dvec3 stored = frame_.decoded(get(g_.normal, i));
   const bool far = in_background(i);
@@ -71,10 +91,10 @@ void Finisher::finish_pixel(std::size_t i, Count& count) const {
   if (normal == dvec3(0) || !(coverage > 0)) return finish_empty(i);
   put(g_.position, i, position);
   finish_normals(i, normal, position);
-  finish_roles(i, reading_.position_premultiplied ? 1 / coverage : 1);
   g_.planes.plane(g_.coverage.first)[i] = float(coverage);
   ++count.surface;
   count.partial += coverage < 1;
+  return reading_.position_premultiplied ? 1 / coverage : 1;
 }
 
 void Finisher::finish_normals(std::size_t i, const dvec3& normal, const dvec3& position) const {
@@ -93,23 +113,12 @@ dvec3 Finisher::from_tangent_frame(const dvec3& local, const dvec3& n, std::size
   return glm::normalize(s * local.x + glm::cross(n, s) * local.y + n * local.z);
 }
 
-void Finisher::finish_roles(std::size_t i, double factor) const {
-  for (const auto& [role, range] : g_.roles) {
-    if (role == "coverage" || role.starts_with(cryptomatte_role)) continue;
-    const double own = role == "albedo" && made_albedo_ ? std::min(factor, 1.0) : factor;  // a quotient carries no coverage
-    for (int c = 0; c < range.count; ++c) {
-      float& value = g_.planes.plane(range.first + c)[i];
-      value = std::isfinite(value) ? float(value * own) : 0;
-    }
-  }
-}
-
-void Finisher::finish_empty(std::size_t i) const {
+double Finisher::finish_empty(std::size_t i) const {
   put(g_.position, i, dvec3(0));
   put(g_.normal, i, dvec3(0));
   if (g_.base_normal.count) put(g_.base_normal, i, dvec3(0));
-  finish_roles(i, 0);
   g_.planes.plane(g_.coverage.first)[i] = 0;
+  return 0;
 }
 
 }  // namespace relume

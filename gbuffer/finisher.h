@@ -3,6 +3,7 @@
 
 #include <glm/vec3.hpp>
 #include <set>
+#include <vector>
 
 #include "gbuffer/gbuffer.h"
 #include "gbuffer/layer_frame.h"
@@ -38,12 +39,19 @@ class Finisher {
   /// World; infinite where a depth says that nothing is there.
   glm::dvec3 position_at(std::size_t i, double coverage) const;
   bool in_background(std::size_t i) const;
-  void finish_pixel(std::size_t i, Count& count) const;
+  /// What the other roles are multiplied by: 0 where there is no surface.
+  double finish_pixel(std::size_t i, Count& count) const;
   void finish_normals(std::size_t i, const glm::dvec3& normal, const glm::dvec3& position) const;
   /// n' = s x + t y + n z with s along dp_du made perpendicular to n and t = n x s (research: mitsuba-truth).
   glm::dvec3 from_tangent_frame(const glm::dvec3& local, const glm::dvec3& n, std::size_t i) const;
-  void finish_roles(std::size_t i, double factor) const;
-  void finish_empty(std::size_t i) const;
+  double finish_empty(std::size_t i) const;
+
+  /// A component of a role that is a value of the surface.
+  struct RolePlane {
+    float* values;
+    bool quotient;  ///< of layers that both carry coverage: it carries none
+  };
+  std::vector<RolePlane> role_planes() const;
 
   GBuffer& g_;
   const Reading& reading_;
@@ -52,6 +60,7 @@ class Finisher {
   const std::set<std::uint32_t> tangent_ids_, bumped_ids_;
   const bool made_albedo_ = is_made(reading_, "albedo");
   const bool made_positions_ = is_made(reading_, "position");
+  const std::vector<RolePlane> role_planes_ = role_planes();
 };
 
 }  // namespace relume

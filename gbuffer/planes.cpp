@@ -17,6 +17,8 @@ Planes::Planes(std::size_t pixels, int capacity) : pixels_(pixels), stride_((pix
   void* memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (memory == MAP_FAILED) throw Error(ErrorKind::memory, "no address space for " + std::to_string(bytes) + " bytes of pixel planes");
   base_ = static_cast<float*>(memory);
+  constexpr std::size_t huge_page = 2 << 20;
+  if (stride_ * sizeof(float) >= huge_page / 4) madvise(memory, bytes, MADV_HUGEPAGE);  // a fault for 512 pages; refused, it costs nothing
 }
 
 Planes::~Planes() {
