@@ -14,9 +14,9 @@ std::int64_t rows_within(const Window& window, const BandLimits& limits, int in_
   return std::min({limits.memory / in_flight / limits.row_bytes, limits.most_rows, std::int64_t(window.height())});
 }
 
-/// Where rows do not divide into blocks the first band is the shorter one.
+/// A window that begins within a block begins with a shorter band, and the others with whole blocks.
 int first_end(const Window& window, const BandLimits& limits, std::int64_t rows) {
-  if (rows % limits.block_rows != 0) return int(window.min_y + rows);
+  if (rows % limits.block_rows != 0 || rows == window.height()) return int(window.min_y + rows);
   return int(window.min_y + rows - (std::int64_t(window.min_y) - limits.block_top) % limits.block_rows);
 }
 

@@ -10,20 +10,19 @@
 #include "gbuffer/convention.h"
 #include "gbuffer/error.h"
 #include "gbuffer/gbuffer.h"
-#include "gbuffer/picture.h"
 #include "gbuffer/watched.h"
 #include "host/band_shading.h"
 #include "host/bands.h"
 #include "host/binding.h"
 #include "host/camera_choice.h"
 #include "host/device.h"
+#include "host/device_opening.h"
+#include "host/frame_output.h"
 #include "host/light_links.h"
 #include "host/material_objects.h"
 #include "host/mixed_pixels.h"
 #include "host/output_layout.h"
-#include "host/self_test.h"
 #include "host/stopwatch.h"
-#include "host/twin.h"
 
 namespace relume {
 namespace {
@@ -40,6 +39,8 @@ OutputLayout layout_of(const RelightJob& job, const LightLinks& lights) {
     }
   return layout;
 }
+
+constexpr std::int64_t driver_bytes = std::int64_t(512) << 20;  // for a driver that is loaded, or compiles, while OpenEXR decodes
 
 struct BandInWork {
   GBuffer gbuffer;
@@ -67,18 +68,15 @@ class Relight {
   void understand_all();
   void bind_materials_and_lights();
   void open();
-  std::unique_ptr<Device> open_tested_device();
   void shade_and_write();
   std::vector<std::pair<std::string, std::string>> metadata() const;
   void write_alpha(const GBuffer& gbuffer, Planes& out) const;
   bool ambient_is_a_share() const;
   glm::dvec3 mean_irradiance();
   void shade_band(BandInWork& band);
-  void write_band(const BandInWork& band, ExrWriter& writer, Picture& picture) const;
-  void run_bands(ExrWriter& writer, Picture& picture);
+  void run_bands(FrameOutput& output);
   Bands bands(const Window& window) const;
   GBuffer read_band(const Window& band);
-  void keep_for_png(const Planes& out, const Window& band, Picture& picture) const;
 
   void note(const std::string& text) { summary_.notes.push_back(text); }
   void progress(const std::string& stage, double share) const {
@@ -97,6 +95,7 @@ class Relight {
   std::optional<Binding> binding_;
   std::vector<std::string> roles_;
   OutputLayout layout_;
+  std::optional<DeviceOpening> opening_;
   std::unique_ptr<Device> device_;
   std::optional<BandShading> shading_;
   Window window_;
@@ -118,6 +117,8 @@ void Relight::understand_all() {
   rig_options.world_is_z_up = convention == "blender";
   std::vector<Rig> rigs;
   for (const auto& path : job_.rigs) rigs.push_back(read_rig(path, rig_options));
+  file_.leave_room(driver_bytes);
+  opening_.emplace(job_.device);
   reading_ = understand_with_rigs(file_, options, rigs);
   rig_ = merge(std::move(rigs));
   if (!job_.mend_edges) reading_.filtered = reading_.position_premultiplied = false;
@@ -154,22 +155,9 @@ void Relight::bind_materials_and_lights() {
   if (reading_.roles.contains("coverage")) roles_.push_back("coverage");
 }
 
-std::unique_ptr<Device> Relight::open_tested_device() {
-  try {
-    std::unique_ptr<Device> device = open_device(job_.device);
-    if (device->info().name != "twin")
-      for (const Choice& program : binding_->programs()) self_test(*device, program);
-    return device;
-  } catch (const Error& error) {
-    if (!job_.device.empty() || error.kind != ErrorKind::device) throw;
-    note(std::string(error.what()) + "; shading on the C++ twin instead");
-    return open_twin();
-  }
-}
-
 void Relight::open() {
   progress("compile", 0);
-  device_ = open_tested_device();
+  device_ = opening_->tested(binding_->programs(), summary_.notes);
   summary_.device = device_->info().name;
   layout_ = layout_of(job_, *lights_);
   shading_.emplace(*device_, *binding_, *lights_, layout_, reading_);
@@ -223,12 +211,6 @@ glm::dvec3 Relight::mean_irradiance() {
   return irradiance.mean();
 }
 
-void Relight::keep_for_png(const Planes& out, const Window& band, Picture& picture) const {
-  const std::int64_t begin = std::int64_t(band.min_y - window_.min_y) * window_.width();
-  for (std::int64_t i = 0; i < band.pixels(); ++i)
-    for (int c = 0; c < 4; ++c) picture.values[std::size_t(4 * (begin + i) + c)] = out.plane(c)[i];
-}
-
 std::vector<std::pair<std::string, std::string>> Relight::metadata() const {
   std::vector<std::pair<std::string, std::string>> texts{
       {"relume:gbuffer", job_.gbuffer.filename().string()}, {"relume:device", summary_.device}, {"relume:version", RELUME_VERSION}};
@@ -253,20 +235,11 @@ void Relight::shade_band(BandInWork& band) {
   shade_watch_.lap("shade");
 }
 
-void Relight::write_band(const BandInWork& band, ExrWriter& writer, Picture& picture) const {
-  std::vector<Source> sources;
-  for (int p = 0; p < layout_.planes(); ++p)
-    sources.push_back({layout_.channels[std::size_t(p)], band.out.plane(p), sizeof(float), sizeof(float) * std::size_t(window_.width())});
-  writer.write_rows(band.gbuffer.window.height(), sources);
-  if (job_.png) keep_for_png(band.out, band.gbuffer.window, picture);
-}
-
 /// A band is decoded while the one before is shaded and the one before that encoded. Each stage takes bands in order, one at a time, on all cores.
-void Relight::run_bands(ExrWriter& writer, Picture& picture) {
+void Relight::run_bands(FrameOutput& output) {
   using Work = std::shared_ptr<BandInWork>;
   const Bands all = bands(window_);
-  const std::int64_t driver = std::int64_t(512) << 20;  // bytes: a compiler
-  file_.leave_room(all.bytes + driver);
+  file_.leave_room(all.bytes + driver_bytes);
   auto next = all.windows.begin();
   Stopwatch read_watch, write_watch;
   const auto read = [&](tbb::flow_control& flow) -> Work {
@@ -283,7 +256,7 @@ void Relight::run_bands(ExrWriter& writer, Picture& picture) {
   };
   const auto write = [&](const Work& band) {
     write_watch.start();
-    write_band(*band, writer, picture);
+    output.write(band->gbuffer.window, band->out);
     write_watch.lap("write");
   };
   constexpr auto in_order = tbb::filter_mode::serial_in_order;
@@ -296,18 +269,14 @@ void Relight::run_bands(ExrWriter& writer, Picture& picture) {
 void Relight::shade_and_write() {
   shading_->set_ambient(ambient_is_a_share() ? mean_irradiance() : glm::dvec3(0));
   const Part& part = file_.parts()[std::size_t(reading_.part)];
-  ExrWriter writer(job_.output, job_.format, part.header, window_, reading_.display_window, layout_.channels, metadata());
-  Picture picture;
-  if (job_.png) picture = {window_.width(), window_.height(), 4, std::vector<float>(std::size_t(window_.pixels()) * 4)};
+  FrameOutput output(job_, layout_, part.header, window_, reading_.display_window, metadata());
   watch_.lap("prepare");
-  run_bands(writer, picture);
+  run_bands(output);
   if (summary_.bad_pixels)
     note("warning: " + std::to_string(summary_.bad_pixels) + " pixels have a NaN or infinite position or normal: written as showing no surface");
   if (const std::string sentence = mixed_pixels_.sentence(summary_.surface_pixels); !sentence.empty()) note(sentence);
   progress("write", 1);
-  // The picture first: where it cannot be written, the image is not either.
-  if (job_.png) write_png(*job_.png, picture, job_.exposure, job_.format.overwrite);
-  writer.commit();
+  output.commit();
   watch_.lap("write");
 }
 

@@ -1,0 +1,27 @@
+// DeviceOpening: a future, and the self-test.
+#include "host/device_opening.h"
+
+#include "gbuffer/error.h"
+#include "host/driver_environment.h"
+#include "host/self_test.h"
+#include "host/twin.h"
+
+namespace relume {
+
+DeviceOpening::DeviceOpening(const std::string& selector) : selector_(selector) {
+  prepare_driver_environment();  // sets variables: not while another thread may read some
+  device_ = std::async(std::launch::async, [selector] { return open_device(selector); });
+}
+
+std::unique_ptr<Device> DeviceOpening::tested(const std::vector<Choice>& programs, std::vector<std::string>& notes) try {
+  std::unique_ptr<Device> device = device_.get();
+  if (device->info().name != "twin")
+    for (const Choice& program : programs) self_test(*device, program);
+  return device;
+} catch (const Error& error) {
+  if (!selector_.empty() || error.kind != ErrorKind::device) throw;
+  notes.push_back(std::string(error.what()) + "; shading on the C++ twin instead");
+  return open_twin();
+}
+
+}  // namespace relume

@@ -1,0 +1,27 @@
+// A device that is opened in a thread of its own: loading drivers takes as long as understanding a file does, and neither needs the other.
+#pragma once
+
+#include <future>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/device.h"
+
+namespace relume {
+
+class DeviceOpening {
+ public:
+  /// Begins to open the device that `selector` means (host/device.h).
+  explicit DeviceOpening(const std::string& selector);
+
+  /// The device, once it is open and has passed the self-test of every program. Where none was asked for and none is to be had, the C++ twin, and a
+  /// sentence in `notes`. Throws Error{device}.
+  std::unique_ptr<Device> tested(const std::vector<Choice>& programs, std::vector<std::string>& notes);
+
+ private:
+  std::string selector_;
+  std::future<std::unique_ptr<Device>> device_;
+};
+
+}  // namespace relume
