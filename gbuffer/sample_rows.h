@@ -3,9 +3,12 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <map>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gbuffer/camera.h"
@@ -15,13 +18,18 @@ namespace relume {
 
 struct SampledBand {
   Window window;
-  std::map<std::string, std::vector<float>> planes;  ///< by role, components interleaved; absent roles are absent
+  std::map<std::string, std::vector<float>, std::less<>> planes;  ///< by role, components interleaved; absent roles are absent
 
-  bool has(const std::string& role) const { return planes.contains(role); }
+  bool has(std::string_view role) const { return planes.contains(role); }
   std::int64_t index(int x, int y) const { return std::int64_t(y) * window.width() + x; }
-  float value(const std::string& role, std::int64_t i) const { return planes.at(role)[std::size_t(i)]; }
-  glm::dvec3 vector(const std::string& role, std::int64_t i) const {
-    const float* const v = planes.at(role).data() + 3 * i;
+  const std::vector<float>& plane(std::string_view role) const {
+    const auto found = planes.find(role);
+    if (found == planes.end()) throw std::out_of_range("no samples of this role");
+    return found->second;
+  }
+  float value(std::string_view role, std::int64_t i) const { return plane(role)[std::size_t(i)]; }
+  glm::dvec3 vector(std::string_view role, std::int64_t i) const {
+    const float* const v = plane(role).data() + 3 * i;
     return {v[0], v[1], v[2]};
   }
 };
