@@ -182,7 +182,8 @@ void add_shade(CLI::App& command, Action& action) {
   add_output_options(command, *a);
   command.add_option("--device", a->device,
                      "cpu, gpu, twin (C++, no OpenCL), an index, or part of a platform's or device's name; default: the best there is");
-  command.add_option("--memory", a->memory, "for the planes of a band; larger frames go through in bands")->capture_default_str();
+  command.add_option("--memory", a->memory, "for the planes of the bands in flight: decoded, shaded and encoded at the same time")
+      ->capture_default_str();
   command.footer(
       "Examples:\n"
       "  relume shade shot.exr --lights rig.gltf -o relit.exr --png relit.png      a Blender, Mitsuba or pbrt G-buffer under a glTF rig\n"

@@ -31,7 +31,7 @@ struct RelightJob {
   std::optional<std::filesystem::path> png;
   double exposure = 0;                          ///< stops, of the PNG alone
   std::string device;                           ///< empty: the best, falling back to the twin with a note
-  std::int64_t memory = std::int64_t(2) << 30;  ///< bytes for a band's planes; larger frames go through in bands
+  std::int64_t memory = std::int64_t(2) << 30;  ///< bytes for the planes of all bands in flight
 };
 
 struct RelightSummary {
@@ -41,12 +41,12 @@ struct RelightSummary {
   int lights = 0;
   int bands = 0;
   std::vector<std::string> programs;
-  std::vector<std::pair<std::string, double>> seconds;  ///< stage -> wall clock, in order
+  std::vector<std::pair<std::string, double>> seconds;  ///< stage -> wall clock, in order; from "read" to "write" they overlap
   double pixel_lights_per_second = 0;                   ///< surface pixels times lights over the time of shading
   std::vector<std::string> notes;                       ///< what was assumed, warnings
 };
 
-/// What watches a job. advance() may throw to stop it: nothing is left behind.
+/// What watches a job. progress() may throw to stop it: nothing is left behind. It is called from any thread, but by one at a time.
 struct Observer {
   std::function<void(const std::string& stage, double share)> progress;  ///< share of the stage done, 0..1
 };
