@@ -6,8 +6,10 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <fstream>
+#include <thread>
 
 #include "tests/exr_files.h"
 #include "tests/files.h"
@@ -79,6 +81,24 @@ TEST_P(Codec, EveryTypeComesBack) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Codec, testing::Combine(testing::Range(0, int(Imf::NUM_COMPRESSION_METHODS)), testing::Bool()));
+
+TEST(ExrFile, IsReadFromSeveralThreadsAtOnce) {
+  const TemporaryFolder folder;
+  for (const Imf::Compression compression : {Imf::ZIP_COMPRESSION, Imf::PIZ_COMPRESSION}) {
+    const fs::path path = folder.path / "a.exr";
+    write_file(path, {{"only", "", offset_window, {0, 0, 64, 64}, compression, false, Imf::INCREASING_Y, {{"R", Imf::HALF}, {"X", Imf::FLOAT}}}});
+    const ExrFile file(path);
+    std::vector<std::thread> threads;
+    std::atomic<int> wrong{0};
+    for (int first = offset_window.min_y; first < offset_window.max_y; first += 9)
+      threads.emplace_back([&, first] {
+        const Window rows{offset_window.min_x, first, offset_window.max_x, std::min(first + 20, offset_window.max_y)};
+        for (int k = 0; k < 20; ++k) wrong += worst_difference(read_plane(file, 0, rows, k % 2 ? "X" : "R"), rows, k % 2) != 0;
+      });
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(wrong, 0) << compression;
+  }
+}
 
 TEST(ExrFile, ReadsIntoStridedMemoryOfEveryType) {
   const TemporaryFolder folder;

@@ -26,7 +26,7 @@ std::vector<char> random_bytes(std::size_t count, unsigned seed, int values) {
 TEST(ZipBlock, ComesBack) {
   ZipPacker packer;
   ZipUnpacker unpacker;
-  for (const std::size_t bytes : {2u, 4u, 30u, 32u, 34u, 62u, 66u, 1000u, 65538u})
+  for (const std::size_t bytes : {4u, 30u, 32u, 34u, 62u, 66u, 1000u, 65538u})
     for (const int values : {1, 3, 256}) {  // 256: packing makes it no smaller
       const std::vector<char> block = random_bytes(bytes, unsigned(bytes), values);
       unpacker.unpack(packer.pack(block), bytes);
