@@ -31,11 +31,7 @@ struct DoctorArguments {
 /// The rigs, taken to the file's world as relume shade takes them.
 std::vector<Rig> rigs_of(const ExrFile& file, const ReadingOptions& reading, const std::vector<std::string>& files) {
   if (files.empty()) return {};
-  RigOptions options;
-  options.convention = convention_of(file, reading).name;
-  options.world_is_z_up = options.convention == "blender";
-  std::vector<Rig> rigs;
-  for (const std::string& rig : files) rigs.push_back(read_rig(rig, options));
+  std::vector<Rig> rigs = read_rigs({files.begin(), files.end()}, {}, convention_of(file, reading).name);
   try {
     understand_with_rigs(file, reading, rigs);
   } catch (const Error&) {  // diagnose() meets the same and tells it as a finding

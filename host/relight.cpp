@@ -110,16 +110,10 @@ void Relight::check_job() const {
 
 void Relight::understand_all() {
   progress("read", 0);
-  ReadingOptions options = job_.reading;
-  RigOptions rig_options = job_.rig_options;
-  const std::string convention = convention_of(file_, options).name;
-  rig_options.convention = convention;
-  rig_options.world_is_z_up = convention == "blender";
-  std::vector<Rig> rigs;
-  for (const auto& path : job_.rigs) rigs.push_back(read_rig(path, rig_options));
+  std::vector<Rig> rigs = read_rigs(job_.rigs, job_.rig_options, convention_of(file_, job_.reading).name);
   file_.leave_room(driver_bytes);
   opening_.emplace(job_.device);
-  reading_ = understand_with_rigs(file_, options, rigs);
+  reading_ = understand_with_rigs(file_, job_.reading, rigs);
   rig_ = merge(std::move(rigs));
   if (!job_.mend_edges) reading_.filtered = reading_.position_premultiplied = false;
   bind_materials_and_lights();
@@ -132,8 +126,7 @@ void Relight::understand_all() {
       if (std::find(summary_.notes.begin(), summary_.notes.end(), text) == summary_.notes.end()) note(text);
   window_ = reading_.data_window;
   if (job_.crop) {
-    window_ = {std::max(window_.min_x, job_.crop->min_x), std::max(window_.min_y, job_.crop->min_y), std::min(window_.max_x, job_.crop->max_x),
-               std::min(window_.max_y, job_.crop->max_y)};
+    window_ = intersection(window_, *job_.crop);
     if (window_.empty()) throw Error(ErrorKind::input, job_.gbuffer.string() + ": --crop lies outside the data window");
   }
   summary_.window = window_;

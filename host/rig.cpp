@@ -77,6 +77,14 @@ Rig read_rig(const std::filesystem::path& file, const RigOptions& options) {
   return rig;
 }
 
+std::vector<Rig> read_rigs(const std::vector<std::filesystem::path>& files, RigOptions options, const std::string& convention) {
+  options.convention = convention;
+  options.world_is_z_up = convention == "blender";
+  std::vector<Rig> rigs;
+  for (const auto& file : files) rigs.push_back(read_rig(file, options));
+  return rigs;
+}
+
 Rig merge(std::vector<Rig> rigs) {
   Rig all;
   for (Rig& rig : rigs) {

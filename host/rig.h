@@ -64,6 +64,9 @@ struct RigOptions {
 /// "-" reads JSON from standard input.
 Rig read_rig(const std::filesystem::path& file, const RigOptions& options);
 
+/// Several, for a G-buffer of this renderer: options.convention and options.world_is_z_up follow from it.
+std::vector<Rig> read_rigs(const std::vector<std::filesystem::path>& files, RigOptions options, const std::string& convention);
+
 /// Lights of several rigs in order, camera of the first that has one.
 Rig merge(std::vector<Rig> rigs);
 

@@ -10,9 +10,8 @@
 
 #include "kernels/vector.h"
 
-/// The members of Cosines.
-#define RELUME_COSINES(MEMBER) \
-  MEMBER(n_l) MEMBER(n_v) MEMBER(l_v) MEMBER(sum2) MEMBER(across2) MEMBER(along2) MEMBER(tan2_h) MEMBER(chord2) MEMBER(r_l)
+/// The members of Cosines that differ from light to light.
+#define RELUME_COSINES(MEMBER) MEMBER(n_l) MEMBER(l_v) MEMBER(sum2) MEMBER(across2) MEMBER(along2) MEMBER(tan2_h) MEMBER(chord2) MEMBER(r_l)
 
 typedef struct {
   real n_l, n_v, l_v;

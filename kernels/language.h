@@ -17,7 +17,11 @@
 #ifdef RELUME_OPENCL
 #pragma OPENCL FP_CONTRACT OFF
 
-#define RELUME_FN static inline __attribute__((always_inline))
+#if RELUME_LANES == 1
+#define RELUME_FN static inline
+#else
+#define RELUME_FN static inline __attribute__((always_inline))  // PoCL else calls what is used twice, and passes structs of vectors through memory
+#endif
 #define RELUME_GLOBAL __global
 
 #if RELUME_LANES == 1

@@ -90,6 +90,7 @@ RELUME_FN Radiance direct_light(Choice choice, RELUME_GLOBAL const Frame* frame,
     }
     for (int k = 0; k < arrivals; ++k) {
       Cosines c;
+      c.n_v = s.n_v;
       RELUME_COSINES(RELUME_TAKE_FROM_BATCH)
       sum = with_light(sum, choice, lights + from[k], share[k], c, s, seen);
     }
