@@ -16,7 +16,8 @@ using Action = std::function<int()>;
   COMMAND(compare, "how far two images are apart, layer by layer")                 \
   COMMAND(devices, "OpenCL devices, their lanes and self-test")                    \
   COMMAND(list, "BRDFs, lights and conventions that Relume knows")                 \
-  COMMAND(evaluate, "a table of BRDF values for a table of cosines")
+  COMMAND(evaluate, "a table of BRDF values for a table of cosines")               \
+  COMMAND(bench, "how fast devices shade, beside plain C++ and textbook kernels")
 
 #define RELUME_DECLARE_COMMAND(name, summary) void add_##name(CLI::App& command, Action& action);
 RELUME_COMMANDS(RELUME_DECLARE_COMMAND)

@@ -17,7 +17,8 @@ const std::map<std::string, std::set<std::string>> may_include{
     {"gbuffer", {"gbuffer"}},
     {"kernels", {"kernels"}},
     {"host", {"gbuffer", "host", "kernels"}},
-    {"cli", {"cli", "gbuffer", "host"}},
+    {"bench", {"bench", "gbuffer", "host", "kernels"}},
+    {"cli", {"bench", "cli", "gbuffer", "host"}},
 };
 
 TEST(Folders, IncludePointsOneWay) {
@@ -48,7 +49,7 @@ TEST(Folders, OnlyHostSeesOpenCl) {
 }
 
 TEST(Folders, FilesBeginWithWhatTheyAre) {
-  for (const char* folder : {"gbuffer", "host", "cli", "kernels"})
+  for (const char* folder : {"gbuffer", "host", "cli", "kernels", "bench"})
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(RELUME_SOURCE) / folder)) {
       if (!std::set<std::string>{".h", ".cpp", ".cl"}.contains(entry.path().extension())) continue;
       std::ifstream in(entry.path());

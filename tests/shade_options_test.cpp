@@ -216,7 +216,7 @@ TEST(List, HoldsEveryLobeLightAndConvention) {
 TEST(Help, EveryCommandHasAnExample) {
   const ProgramRun all = run_program({"--help"});
   EXPECT_EQ(all.code, 0);
-  for (const char* command : {"shade", "inspect", "doctor", "compare", "devices", "list", "evaluate"}) {
+  for (const char* command : {"shade", "inspect", "doctor", "compare", "devices", "list", "evaluate", "bench"}) {
     EXPECT_NE(all.out.find(std::string("\n  ") + command + " "), std::string::npos) << command;
     const ProgramRun help = run_program({command, "--help"});
     EXPECT_EQ(help.code, 0) << command;
@@ -233,7 +233,7 @@ std::set<std::string> options_in(const std::string& text) {
 
 TEST(Help, DocumentsNameTheOptionsThatThereAre) {
   std::set<std::string> there;
-  for (const char* command : {"shade", "inspect", "doctor", "compare", "devices", "list", "evaluate"})
+  for (const char* command : {"shade", "inspect", "doctor", "compare", "devices", "list", "evaluate", "bench"})
     there.merge(options_in(run_program({command, "--help"}).out));
   EXPECT_EQ(options_in(text_of_file(std::filesystem::path(RELUME_SOURCE) / "docs/formats.md")), there);
 }

@@ -1,0 +1,54 @@
+// A frame in memory under a material and lights, ready to be shaded on any device again and again.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gbuffer/gbuffer.h"
+#include "host/device.h"
+#include "host/light_lists.h"
+#include "host/light_records.h"
+#include "host/materials.h"
+
+namespace relume::bench {
+
+/// A BRDF in one word: "lambert+ggx", "none+ggx"; one name alone stands for both halves where both have it. Throws Error{input}.
+Material material_named(const std::string& brdf);
+
+/// Pixels that are made when it is known which of their roles are read.
+struct FrameSource {
+  std::vector<std::string> roles;  ///< those that it can fill
+  Camera camera;
+  std::function<GBuffer(const std::vector<std::string>& roles, int spare_planes)> make;
+};
+
+class ResidentFrame {
+ public:
+  /// Binds the material to the frame's layers; parameters without a layer take their defaults.
+  ResidentFrame(const FrameSource& source, const Material& material);
+
+  /// Other lights: the pixels stay.
+  void set_lights(const std::vector<Light>& lights);
+
+  const Choice& choice() const { return choice_; }
+  const Frame& frame() const { return frame_; }
+  const GBuffer& gbuffer() const { return gbuffer_; }
+  int lights() const { return int(lights_.records.size()); }
+  /// Planes to shade into: total light, three planes.
+  Planes make_out() const;
+  /// `lists`: of list_lights, where Frame::lists says so.
+  BandData data(Planes& out, std::span<const int> lists = {}) const { return {&gbuffer_.planes, lights_.records, lists, tables_, &out}; }
+  /// Which lights can reach which pixels, worked out anew: what Frame::lists is to be.
+  int list_lights(LightLists& lists) const;
+
+ private:
+  GBuffer gbuffer_;
+  Frame frame_{};
+  Choice choice_{};
+  std::vector<float> tables_;
+  LightRecords lights_;
+};
+
+}  // namespace relume::bench
