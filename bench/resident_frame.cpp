@@ -56,12 +56,13 @@ ResidentFrame::ResidentFrame(const FrameSource& source, const Material& material
 
 void ResidentFrame::set_lights(const std::vector<Light>& lights) {
   lights_ = light_records(lights);
+  sorted_ = {lights_.records, lights_.begin};
   std::copy(lights_.begin.begin(), lights_.begin.end(), frame_.light_begin);
 }
 
 int ResidentFrame::list_lights(LightLists& lists) const {
   const std::size_t most = gbuffer_.planes.bytes() / sizeof(int) / 4;  // as relight allows: a quarter of the memory that the band itself takes
-  return lists.add(gbuffer_.planes, frame_, gbuffer_.window.width(), lights_.records, lights_.begin, most);
+  return lists.add(gbuffer_.planes, frame_, gbuffer_.window.width(), sorted_, most);
 }
 
 Planes ResidentFrame::make_out() const {

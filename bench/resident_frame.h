@@ -49,6 +49,7 @@ class ResidentFrame {
   Choice choice_{};
   std::vector<float> tables_;
   LightRecords lights_;
+  SortedLights sorted_;
 };
 
 }  // namespace relume::bench

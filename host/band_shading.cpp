@@ -7,6 +7,11 @@
 
 namespace relume {
 
+BandShading::BandShading(Device& device, const Binding& binding, const LightLinks& lights, const OutputLayout& layout, const Reading& reading)
+    : device_(device), binding_(binding), lights_(lights), layout_(layout), reading_(reading) {
+  for (const LightGroup& group : lights.groups()) sorted_.emplace_back(lights.records(), group.begin);
+}
+
 Frame BandShading::frame_of(const GBuffer& gbuffer, const Planes& out) const {
   Frame frame{};
   frame.pixels = int(gbuffer.samples());
@@ -85,8 +90,7 @@ void BandShading::shade(GBuffer& gbuffer, Planes& out, Stopwatch& watch, const P
 std::vector<int> BandShading::list_lights(const GBuffer& gbuffer, const Frame& frame, LightLists& lists) const {
   const std::size_t most = gbuffer.planes.bytes() / sizeof(int) / 4;  // a quarter of the memory that the band itself takes
   std::vector<int> starts;
-  for (const LightGroup& group : lights_.groups())
-    starts.push_back(lists.add(gbuffer.planes, frame, gbuffer.window.width(), lights_.records(), group.begin, most));
+  for (const SortedLights& group : sorted_) starts.push_back(lists.add(gbuffer.planes, frame, gbuffer.window.width(), group, most));
   return starts;
 }
 

@@ -17,8 +17,7 @@ namespace relume {
 class BandShading {
  public:
   /// All of them outlive it.
-  BandShading(Device& device, const Binding& binding, const LightLinks& lights, const OutputLayout& layout, const Reading& reading)
-      : device_(device), binding_(binding), lights_(lights), layout_(layout), reading_(reading) {}
+  BandShading(Device& device, const Binding& binding, const LightLinks& lights, const OutputLayout& layout, const Reading& reading);
 
   /// Planes of `out` that shade() needs: the layout's own, and behind them the colours of each linked group of lights.
   int planes() const { return layout_.planes() + linked_planes(); }
@@ -53,7 +52,8 @@ class BandShading {
   const LightLinks& lights_;
   const OutputLayout& layout_;
   const Reading& reading_;
-  std::vector<glm::dvec3> ambient_;  ///< of each group
+  std::vector<glm::dvec3> ambient_;   ///< of each group
+  std::vector<SortedLights> sorted_;  ///< of each group
 };
 
 }  // namespace relume

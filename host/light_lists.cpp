@@ -6,14 +6,11 @@
 #include <atomic>
 #include <initializer_list>
 
-#include "host/light_reach.h"
 #include "host/pixel_cells.h"
 
 namespace relume {
 namespace {
 
-/// Lights that one sphere stands for when a super-tile is asked: as many as one look at their own spheres pays for.
-constexpr int clustered = 32;
 /// With fewer lights than these the bounds cost more than the lights.
 constexpr int too_few = 8;
 
@@ -47,10 +44,10 @@ class SuperTile {
         }
   }
 
-  void list(const LightReach& lights, const LightReach& spheres, Sharing sharing, Listed& listed) const {
+  void list(const SortedLights& lights, Sharing sharing, Listed& listed) const {
     if (is_empty(all_)) return;
     thread_local LightReach near, nearer;
-    lights.members_near(all_, spheres, clustered, near);
+    lights.reach.members_near(all_, lights.spheres, SortedLights::clustered, near);
     if (sharing == Sharing::super_tile) return add(listed, {y_, column_, PixelCells::super_rows, PixelCells::super_columns, 0, 0}, near, all_, false);
     for (int t = 0; t < tiles; ++t)
       for (int c = 0; c < PixelCells::super_columns; ++c) {
@@ -102,11 +99,11 @@ int append(const PixelCells& pixels, const std::vector<Listed>& listed, std::vec
 
 }  // namespace
 
-int LightLists::add(const Planes& planes, const Frame& frame, int width, std::span<const LightRecord> lights,
-                    std::span<const int, LIGHT_COUNT + 1> begin, std::size_t most) {
-  const LightReach reach = LightReach(lights, begin).in_space_order();
-  if (!reach.any_bounded() || reach.size() < too_few) return 0;
-  const LightReach spheres = reach.spheres_around(clustered);
+SortedLights::SortedLights(std::span<const LightRecord> lights, std::span<const int, LIGHT_COUNT + 1> begin)
+    : reach(LightReach(lights, begin).in_space_order()), spheres(reach.spheres_around(clustered)) {}
+
+int LightLists::add(const Planes& planes, const Frame& frame, int width, const SortedLights& lights, std::size_t most) {
+  if (!lights.reach.any_bounded() || lights.reach.size() < too_few) return 0;
   const PixelCells pixels(planes, frame, width);
   const int count = pixels.super_tiles_across() * pixels.super_tiles_down();
   for (const Sharing sharing : {Sharing::cell, Sharing::tile, Sharing::super_tile}) {
@@ -114,7 +111,7 @@ int LightLists::add(const Planes& planes, const Frame& frame, int width, std::sp
     std::atomic<std::size_t> total = numbers_.size() + 2 * std::size_t(pixels.blocks());
     tbb::parallel_for(0, count, [&](int t) {
       if (total > most) return;
-      SuperTile(pixels, t).list(reach, spheres, sharing, listed[std::size_t(t)]);
+      SuperTile(pixels, t).list(lights, sharing, listed[std::size_t(t)]);
       total += listed[std::size_t(t)].numbers.size();
     });
     if (total <= most) return append(pixels, listed, numbers_);

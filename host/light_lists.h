@@ -8,18 +8,31 @@
 
 #include "gbuffer/planes.h"
 #include "host/frame.h"
+#include "host/light_reach.h"
 
 namespace relume {
+
+/// Lights made ready to be asked which pixels they reach: once for a rig, whatever the number of bands.
+struct SortedLights {
+  /// Lights that one sphere stands for when a super-tile is asked: as many as one look at their own spheres pays for.
+  static constexpr int clustered = 32;
+
+  SortedLights() = default;
+  /// The lights [begin[0], begin[LIGHT_COUNT]).
+  SortedLights(std::span<const LightRecord> lights, std::span<const int, LIGHT_COUNT + 1> begin);
+
+  LightReach reach;    ///< neighbours in space together
+  LightReach spheres;  ///< around each `clustered` of them
+};
 
 class LightLists {
  public:
   /// Nothing is listed: every light is met by every pixel.
   LightLists() = default;
 
-  /// Lists the lights [begin[0], begin[LIGHT_COUNT]) for the pixels of `frame`, whose rows are `width` long. At most `most` numbers are kept: where
+  /// Lists the lights for the pixels of `frame`, whose rows are `width` long. At most `most` numbers are kept: where
   /// lights are dense, larger groups of pixels share a list. Returns what Frame::lists is to be: 0 where nothing can be culled, or no list fits.
-  int add(const Planes& planes, const Frame& frame, int width, std::span<const LightRecord> lights, std::span<const int, LIGHT_COUNT + 1> begin,
-          std::size_t most);
+  int add(const Planes& planes, const Frame& frame, int width, const SortedLights& lights, std::size_t most);
 
   /// What the kernels read: for each block the positions in it where its list begins and ends, and the lists, light numbers ascending.
   std::span<const int> numbers() const { return numbers_; }

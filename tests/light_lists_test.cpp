@@ -119,7 +119,7 @@ TEST_P(EveryFacing, ListsChangeNoBit) {
     Scene scene = make_scene(GetParam(), 300);
     const std::vector<float> all = shaded(scene, {}, 0);
     LightLists lists;
-    scene.frame.lists = lists.add(scene.planes, scene.frame, width, scene.lights, scene.begin, most);
+    scene.frame.lists = lists.add(scene.planes, scene.frame, width, {scene.lights, scene.begin}, most);
     ASSERT_GT(scene.frame.lists, 0) << most;
     EXPECT_LE(lists.numbers().size(), most + 1);
     for (const int lanes : twin_lanes())
@@ -135,16 +135,16 @@ INSTANTIATE_TEST_SUITE_P(LightLists, EveryFacing, testing::Values(FACING_as_stor
 TEST(LightLists, NothingIsListedWhereNothingCanBeCulledOrKept) {
   Scene scene = make_scene(FACING_as_stored, 300);
   LightLists lists;
-  EXPECT_EQ(lists.add(scene.planes, scene.frame, width, scene.lights, scene.begin, 100), 0);  // no room
+  EXPECT_EQ(lists.add(scene.planes, scene.frame, width, {scene.lights, scene.begin}, 100), 0);  // no room
   for (LightRecord& light : scene.lights) light.reach = std::numeric_limits<float>::infinity();
-  EXPECT_EQ(lists.add(scene.planes, scene.frame, width, scene.lights, scene.begin, std::size_t(1) << 24), 0);
+  EXPECT_EQ(lists.add(scene.planes, scene.frame, width, {scene.lights, scene.begin}, std::size_t(1) << 24), 0);
 }
 
 TEST(LightLists, AFrameThatShowsNothingHasEmptyLists) {
   Scene scene = make_scene(FACING_as_stored, 300);
   std::fill(scene.planes.plane(6), scene.planes.plane(7), -1.0f);
   LightLists lists;
-  scene.frame.lists = lists.add(scene.planes, scene.frame, width, scene.lights, scene.begin, std::size_t(1) << 24);
+  scene.frame.lists = lists.add(scene.planes, scene.frame, width, {scene.lights, scene.begin}, std::size_t(1) << 24);
   ASSERT_GT(scene.frame.lists, 0);
   EXPECT_EQ(listed(lists, scene.frame), 0);
 }
