@@ -13,9 +13,6 @@ namespace {
 
 /// With fewer lights than these the bounds cost more than the lights.
 constexpr int too_few = 8;
-/// From this many lights near a cell on, bounds of each row pay for themselves: the kernel asks a block about one light at a time, this about
-/// sixteen.
-constexpr std::size_t many = 16;
 
 constexpr int tiles = PixelCells::super_rows / PixelCells::tile_rows, cells = PixelCells::tile_rows / PixelCells::cell_rows;
 
@@ -36,14 +33,12 @@ struct Listed {
 class SuperTile {
  public:
   SuperTile(const PixelCells& pixels, int number)
-      : pixels_(pixels),
-        y_(number / pixels.super_tiles_across() * PixelCells::super_rows),
-        column_(number % pixels.super_tiles_across() * PixelCells::super_columns) {
+      : y_(number / pixels.super_tiles_across() * PixelCells::super_rows), column_(number % pixels.super_tiles_across() * PixelCells::super_columns) {
     for (int t = 0; t < tiles; ++t)
       for (int c = 0; c < PixelCells::super_columns; ++c)
         for (int k = 0; k < cells; ++k) {
           if (k == 0) tile_[t][c] = no_bounds();
-          cell_[t][c][k] = pixels.bounds_of(y_of(t, k), PixelCells::cell_rows, column_ + c);
+          cell_[t][c][k] = pixels.bounds_of_cell(y_of(t, k), column_ + c);
           include_positions(tile_[t][c], cell_[t][c][k]);
           include_positions(all_, cell_[t][c][k]);
         }
@@ -62,21 +57,12 @@ class SuperTile {
           add(listed, {y_of(t, 0), column_ + c, PixelCells::tile_rows, 1, 0, 0}, nearer, tile_[t][c], false);
           continue;
         }
-        for (int k = 0; k < cells; ++k) list_cell(cell_[t][c][k], y_of(t, k), column_ + c, nearer, listed);
+        for (int k = 0; k < cells; ++k)
+          if (!is_empty(cell_[t][c][k])) add(listed, {y_of(t, k), column_ + c, PixelCells::cell_rows, 1, 0, 0}, nearer, cell_[t][c][k], true);
       }
   }
 
  private:
-  /// Where many lights are near, each row has a list of its own: their ranges are small beside a cell.
-  void list_cell(const PixelBounds& cell, int y, int column, const LightReach& lights, Listed& listed) const {
-    if (is_empty(cell)) return;
-    thread_local LightReach near;
-    lights.near(cell, near);
-    if (near.size() <= many) return add(listed, {y, column, PixelCells::cell_rows, 1, 0, 0}, near, cell, true);
-    for (int row = y; row < y + PixelCells::cell_rows; ++row)
-      if (const PixelBounds bounds = pixels_.bounds_of(row, 1, column); !is_empty(bounds)) add(listed, {row, column, 1, 1, 0, 0}, near, bounds, true);
-  }
-
   int y_of(int tile, int cell) const { return y_ + tile * PixelCells::tile_rows + cell * PixelCells::cell_rows; }
   static void add(Listed& listed, List list, const LightReach& lights, const PixelBounds& bounds, bool facing) {
     list.begin = int(listed.numbers.size());
@@ -88,7 +74,6 @@ class SuperTile {
     listed.lists.push_back(list);
   }
 
-  const PixelCells& pixels_;
   int y_, column_;
   PixelBounds all_ = no_bounds(), tile_[tiles][PixelCells::super_columns], cell_[tiles][PixelCells::super_columns][cells];
 };

@@ -40,9 +40,9 @@ int PixelCells::block_at(int y, int column) const {
   return y < rows_ && number < first_of_row(y + 1) ? int(number) : -1;
 }
 
-PixelBounds PixelCells::bounds_of(int y, int rows, int column) const {
+PixelBounds PixelCells::bounds_of_cell(int y, int column) const {
   int blocks[cell_rows], count = 0;
-  for (int row = y; row < y + rows; ++row)
+  for (int row = y; row < y + cell_rows; ++row)
     if (const int number = block_at(row, column); number >= 0) blocks[count++] = number;
   PixelBounds bounds = no_bounds();
   const float* const program = planes_.plane(frame_.program_plane);

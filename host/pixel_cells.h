@@ -24,8 +24,8 @@ class PixelCells {
   int super_tiles_down() const { return (rows_ + super_rows - 1) / super_rows; }
   /// Blocks whose first pixel lies in row y, at this column: its number, or -1.
   int block_at(int y, int column) const;
-  /// Of the blocks of some rows, at most cell_rows: all their pixels that show a surface.
-  PixelBounds bounds_of(int y, int rows, int column) const;
+  /// Of the cell whose first row is y: all its pixels that show a surface.
+  PixelBounds bounds_of_cell(int y, int column) const;
 
  private:
   const Planes& planes_;
