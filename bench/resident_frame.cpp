@@ -61,8 +61,7 @@ void ResidentFrame::set_lights(const std::vector<Light>& lights) {
 }
 
 int ResidentFrame::list_lights(LightLists& lists) const {
-  const std::size_t most = gbuffer_.planes.bytes() / sizeof(int) / 4;  // as relight allows: a quarter of the memory that the band itself takes
-  return lists.add(gbuffer_.planes, frame_, gbuffer_.window.width(), sorted_, most);
+  return lists.add(gbuffer_.planes, frame_, gbuffer_.window.width(), sorted_, LightLists::room_beside(gbuffer_.planes));
 }
 
 Planes ResidentFrame::make_out() const {

@@ -88,7 +88,7 @@ void BandShading::shade(GBuffer& gbuffer, Planes& out, Stopwatch& watch, const P
 
 /// Each group's Frame::lists.
 std::vector<int> BandShading::list_lights(const GBuffer& gbuffer, const Frame& frame, LightLists& lists) const {
-  const std::size_t most = gbuffer.planes.bytes() / sizeof(int) / 4;  // a quarter of the memory that the band itself takes
+  const std::size_t most = LightLists::room_beside(gbuffer.planes);
   std::vector<int> starts;
   for (const SortedLights& group : sorted_) starts.push_back(lists.add(gbuffer.planes, frame, gbuffer.window.width(), group, most));
   return starts;

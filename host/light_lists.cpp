@@ -3,6 +3,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <atomic>
 #include <initializer_list>
 
@@ -117,6 +118,15 @@ int LightLists::add(const Planes& planes, const Frame& frame, int width, const S
     if (total <= most) return append(pixels, listed, numbers_);
   }
   return 0;
+}
+
+std::int64_t lights_met(const Frame& frame, std::span<const int> lists) {
+  std::int64_t sum = frame.light_begin[LIGHT_COUNT], blocks = 1;
+  if (frame.lists > 0) {
+    sum = 0, blocks = (frame.pixels + PixelCells::block - 1) / PixelCells::block;
+    for (std::int64_t b = 0; b < blocks; ++b) sum += lists[std::size_t(frame.lists + 2 * b + 1)] - lists[std::size_t(frame.lists + 2 * b)];
+  }
+  return std::max<std::int64_t>(1, blocks > 0 ? sum / blocks : 0);
 }
 
 }  // namespace relume

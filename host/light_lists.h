@@ -3,6 +3,7 @@
 // the same bits as those that walk all lights: what is left out would have added nothing.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -34,11 +35,17 @@ class LightLists {
   /// lights are dense, larger groups of pixels share a list. Returns what Frame::lists is to be: 0 where nothing can be culled, or no list fits.
   int add(const Planes& planes, const Frame& frame, int width, const SortedLights& lights, std::size_t most);
 
+  /// Numbers that may be kept beside these planes: a quarter of the memory that they take.
+  static std::size_t room_beside(const Planes& planes) { return planes.bytes() / sizeof(int) / 4; }
+
   /// What the kernels read: for each block the positions in it where its list begins and ends, and the lists, light numbers ascending.
   std::span<const int> numbers() const { return numbers_; }
 
  private:
   std::vector<int> numbers_{0};  // a Frame whose `lists` is 0 has none
 };
+
+/// How many lights a pixel of the frame meets in the mean, at least one: what a launch's work is reckoned by.
+std::int64_t lights_met(const Frame& frame, std::span<const int> lists);
 
 }  // namespace relume

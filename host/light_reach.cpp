@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 // The loops over lights are compiled for each width of vector, and chosen when the program starts.
@@ -93,12 +92,6 @@ void LightReach::add(int light, const Values& values) {
   for (int f = 0; f < fields; ++f) values_[std::size_t(f)].push_back(values[std::size_t(f)]);
   any_bounded_ |= values[range2] < infinity;
   any_cone_ |= values[cosine] != 0;
-}
-
-LightReach::Values LightReach::values_of(std::size_t i) const {
-  Values values;
-  for (std::size_t f = 0; f < fields; ++f) values[f] = values_[f][i];
-  return values;
 }
 
 void LightReach::pick(const std::vector<int>& places, LightReach& kept) const {

@@ -41,7 +41,6 @@ class LightReach {
   using Values = std::array<float, fields>;
 
   void add(int light, const Values& values);
-  Values values_of(std::size_t i) const;
   void pick(const std::vector<int>& places, LightReach& kept) const;
   /// 1 for those of [first, first + count) that may reach the bounds.
   void mark_near(const PixelBounds& bounds, std::size_t first, std::size_t count, std::vector<int>& marks) const;

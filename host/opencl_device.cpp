@@ -5,6 +5,7 @@
 
 #include "gbuffer/error.h"
 #include "gbuffer/watched.h"
+#include "host/light_lists.h"
 #include "host/opencl.h"
 #include "host/program.h"
 
@@ -65,7 +66,7 @@ class OpenClBand : public Band {
         out_(over(device.context(), CL_MEM_READ_WRITE, data.out->data(), data.out->bytes())) {}
 
   void shade(const Choice& choice, const Frame& frame, const Progress& progress) override {
-    run("shade", choice, frame, std::max(1, frame.light_begin[LIGHT_COUNT]), progress);
+    run("shade", choice, frame, lights_met(frame, data_.lists), progress);
   }
   void evaluate(const Choice& choice, const Frame& frame) override { run("evaluate", choice, frame, 1, {}); }
 
@@ -91,8 +92,8 @@ class OpenClBand : public Band {
     for (std::int64_t first = 0; first < frame.pixels; first += slice) {
       const std::int64_t pixels = std::min<std::int64_t>(slice, frame.pixels - first);
       const std::size_t items = std::size_t((pixels + unit - 1) / unit * local);
-      kernel(cl::EnqueueArgs(device_.queue(), cl::NDRange(items), cl::NDRange(std::size_t(local))), planes_, constants, lights_, lists_, tables_, out_,
-             cl_int(first));
+      kernel(cl::EnqueueArgs(device_.queue(), cl::NDRange(items), cl::NDRange(std::size_t(local))), planes_, constants, lights_, lists_, tables_,
+             out_, cl_int(first));
       device_.queue().finish();
       beat();
       if (progress) progress(pixels);

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "gbuffer/error.h"
+#include "host/light_lists.h"
 
 namespace relume {
 
@@ -57,7 +58,7 @@ class TwinBand : public Band {
 
   void shade(const Choice& choice, const Frame& frame, const Progress& progress) override {
     // About 0.1 s of work between two looks at the interrupt flag; blocks of 1024 pixels share the cores.
-    const std::int64_t lights = std::max(1, frame.light_begin[LIGHT_COUNT]), unit = Planes::granule;
+    const std::int64_t lights = lights_met(frame, data_.lists), unit = Planes::granule;
     const std::int64_t slice = std::max<std::int64_t>(1, 20'000'000 / lights / unit) * unit;
     for (std::int64_t first = 0; first < frame.pixels; first += slice) {
       const std::int64_t last = std::min<std::int64_t>(first + slice, frame.pixels);
