@@ -68,12 +68,13 @@ std::vector<Plot> roofline(const Bench& bench) {
     roofs += roof.str();
     ++line;
   }
-  return {{"roofline", points.blocks(),
-           "set title 'Roofline: useful arithmetic against what memory must move (small frames come from cache)'\nset xlabel 'flop a byte' offset "
-           "0,0.5\nset "
-           "ylabel 'Gflop/s'\nset logscale xy\n"
-           "set xrange [0.1:*]\nset yrange [1:*]\nset samples 500\nset key outside bottom center maxcols 1\nplot " +
-               roofs + points.plotted("using 1:2 with points")}};
+  return {{"roofline",
+           {points.blocks(),
+            "set title 'Roofline: useful arithmetic against what memory must move (small frames come from cache)'\nset xlabel 'flop a byte' offset "
+            "0,0.5\nset "
+            "ylabel 'Gflop/s'\nset logscale xy\n"
+            "set xrange [0.1:*]\nset yrange [1:*]\nset samples 500\nset key outside bottom center maxcols 1\nplot " +
+                roofs + points.plotted("using 1:2 with points")}}};
 }
 
 std::vector<Plot> scaling(const Bench& bench) {
@@ -92,10 +93,10 @@ std::vector<Plot> scaling(const Bench& bench) {
   }
   if (lines.empty() || most < 2) return {};
   const std::string end = std::to_string(int(most));
-  return {{"scaling", lines.blocks(),
-           "set title 'Scaling over compute units'\nset xlabel 'compute units'\nset ylabel 'rate over that of one'\nset xrange [1:" + end +
-               "]\nset yrange [0:" + end + ".2]\nset xtics 1\nset key left top\nplot x lc rgb '#999999' dt 2 title 'ideal', " +
-               lines.plotted("using 1:2 with linespoints")}};
+  return {{"scaling",
+           {lines.blocks(), "set title 'Scaling over compute units'\nset xlabel 'compute units'\nset ylabel 'rate over that of one'\nset xrange [1:" +
+                                end + "]\nset yrange [0:" + end + ".2]\nset xtics 1\nset key left top\nplot x lc rgb '#999999' dt 2 title 'ideal', " +
+                                lines.plotted("using 1:2 with linespoints")}}};
 }
 
 /// How long a frame takes against the number of lights, where other things are equal.
@@ -114,10 +115,11 @@ std::vector<Plot> light_counts(const Bench& bench) {
   }
   if (lines.empty()) return {};
   return {
-      {"lights", lines.blocks(),
-       "set title 'Time of a frame against the number of lights, brute force'\nset xlabel 'lights' offset 0,0.5\nset ylabel 'ms'\nset logscale xy\n"
-       "set key outside bottom center maxcols 1\nplot " +
-           lines.plotted("using 1:2 with linespoints")}};
+      {"lights",
+       {lines.blocks(),
+        "set title 'Time of a frame against the number of lights, brute force'\nset xlabel 'lights' offset 0,0.5\nset ylabel 'ms'\nset logscale xy\n"
+        "set key outside bottom center maxcols 1\nplot " +
+            lines.plotted("using 1:2 with linespoints")}}};
 }
 
 /// A bar for each lobe, fastest first.
@@ -138,13 +140,14 @@ std::vector<Plot> lobes(const Bench& bench) {
   data << "$bars << END\n";
   for (std::size_t k = 0; k < bars.size(); ++k) data << k << ' ' << bars[k].first << " \"" << bars[k].second << "\"\n";
   data << "END\n";
-  return {{"lobes", data.str(),
-           "set title 'Lobes: " + most->first +
-               "'\nset xlabel 'million pixel*lights/s'\nunset ylabel\nunset key\nset xrange [0:*]\nset yrange [-0.7:" + std::to_string(bars.size()) +
-               "]\nset style fill solid\nset boxwidth 0.7\n" +
-               "plot $bars using ($2/2):1:($2/2):(0.35):ytic(3) with boxxyerror lt 1 notitle, $bars using 2:1:(sprintf(' %.0f', $2)) with labels "
-               "left notitle",
-           900, int(120 + 22 * bars.size())}};
+  return {{"lobes",
+           {data.str(),
+            "set title 'Lobes: " + most->first +
+                "'\nset xlabel 'million pixel*lights/s'\nunset ylabel\nunset key\nset xrange [0:*]\nset yrange [-0.7:" + std::to_string(bars.size()) +
+                "]\nset style fill solid\nset boxwidth 0.7\n" +
+                "plot $bars using ($2/2):1:($2/2):(0.35):ytic(3) with boxxyerror lt 1 notitle, $bars using 2:1:(sprintf(' %.0f', $2)) with labels "
+                "left notitle",
+            900, int(120 + 22 * bars.size())}}};
 }
 
 /// Relume beside plain C++ and the textbook kernels; rates differ by orders of magnitude.
@@ -173,12 +176,13 @@ std::vector<Plot> yardsticks(const Bench& bench) {
   std::string tics;
   for (std::size_t b = 0; b < brdfs.size(); ++b)
     tics += (b ? ", '" : "'") + brdfs[b] + "' " + std::to_string(double(b) * (double(by_who.size()) + 1.5) + double(by_who.size() - 1) / 2);
-  return {{"yardsticks", data.str(),
-           "set title 'Relume beside its yardsticks, 64 unranged point lights'\nset ylabel 'million pixel*lights/s'\nunset xlabel\nset logscale "
-           "y\nset style fill solid\n"
-           "set boxwidth 0.9\nset xtics (" +
-               tics + ")\nset rmargin 32\nset key outside right top\nplot " + plotted,
-           1100, 560}};
+  return {{"yardsticks",
+           {data.str(),
+            "set title 'Relume beside its yardsticks, 64 unranged point lights'\nset ylabel 'million pixel*lights/s'\nunset xlabel\nset logscale "
+            "y\nset style fill solid\n"
+            "set boxwidth 0.9\nset xtics (" +
+                tics + ")\nset rmargin 32\nset key outside right top\nplot " + plotted,
+            1100, 560}}};
 }
 
 }  // namespace

@@ -5,14 +5,13 @@
 #include <vector>
 
 #include "bench/bench.h"
+#include "figure/figure.h"
 
 namespace relume::bench {
 
 struct Plot {
-  std::string name;      ///< of its files
-  std::string data;      ///< gnuplot's data blocks
-  std::string commands;  ///< titles, axes and the plot itself
-  int width = 900, height = 560;
+  std::string name;  ///< of its files
+  Figure figure;
 };
 
 /// Those for which the measurements have data.

@@ -17,7 +17,8 @@ using Action = std::function<int()>;
   COMMAND(devices, "OpenCL devices, their lanes and self-test")                    \
   COMMAND(list, "BRDFs, lights and conventions that Relume knows")                 \
   COMMAND(evaluate, "a table of BRDF values for a table of cosines")               \
-  COMMAND(bench, "how fast devices shade, beside plain C++ and textbook kernels")
+  COMMAND(bench, "how fast devices shade, beside plain C++ and textbook kernels")  \
+  COMMAND(figure, "pictures that compare one way of lighting with another")
 
 #define RELUME_DECLARE_COMMAND(name, summary) void add_##name(CLI::App& command, Action& action);
 RELUME_COMMANDS(RELUME_DECLARE_COMMAND)

@@ -1,5 +1,6 @@
 // relume: arguments to a subcommand, failures to one line on stderr and a documented exit code.
 #include <unistd.h>
+#include <algorithm>
 #include <csignal>
 #include <iostream>
 #include <new>
@@ -47,12 +48,18 @@ void check_command(const CLI::App& app, int argc, char** argv) {
   throw relume::Error(relume::ErrorKind::input, what + " (has: " + names + "; relume --help)");
 }
 
+/// What users type for a C++ name.
+std::string command_name(std::string name) {
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"Relights stored G-buffers: normals, positions and materials from OpenEXR, new lights, OpenCL kernels, scene-linear OpenEXR out."};
   app.set_version_flag("--version", "relume " RELUME_VERSION);
   app.require_subcommand(1);
   relume::Action action;
-#define RELUME_ADD_COMMAND(name, summary) relume::add_##name(*app.add_subcommand(#name, summary), action);
+#define RELUME_ADD_COMMAND(name, summary) relume::add_##name(*app.add_subcommand(command_name(#name), summary), action);
   RELUME_COMMANDS(RELUME_ADD_COMMAND)
   check_command(app, argc, argv);
   try {

@@ -1,0 +1,14 @@
+// Every figure of `relume figure`, once: a file cli/figures/<name>.cpp with figure_<name>, and its line here.
+#pragma once
+
+#include "cli/commands.h"
+
+namespace relume {
+
+#define RELUME_FIGURES(FIGURE)
+
+#define RELUME_DECLARE_FIGURE(name, summary) void figure_##name(CLI::App& command, Action& action);
+RELUME_FIGURES(RELUME_DECLARE_FIGURE)
+#undef RELUME_DECLARE_FIGURE
+
+}  // namespace relume
