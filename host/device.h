@@ -10,6 +10,7 @@
 
 #include "gbuffer/planes.h"
 #include "host/frame.h"
+#include "kernels/entries.h"
 
 namespace relume {
 
@@ -34,6 +35,11 @@ struct BandData {
   Planes* out;
 };
 
+#define RELUME_ENTRY_NAME(name) name,
+/// The kernels that there are (kernels/entries.h).
+enum class Entry { RELUME_ENTRIES(RELUME_ENTRY_NAME) };
+#undef RELUME_ENTRY_NAME
+
 /// Called between slices of work with the pixels done since the last call; may throw to stop.
 using Progress = std::function<void(std::int64_t pixels)>;
 
@@ -43,8 +49,8 @@ class Band {
   virtual ~Band() = default;
   /// Shades the pixels whose program plane holds frame.program, with the lobes of `choice`.
   virtual void shade(const Choice& choice, const Frame& frame, const Progress& progress) = 0;
-  /// Evaluates the lobes of `choice` for tabulated cosines (kernels/evaluate.h).
-  virtual void evaluate(const Choice& choice, const Frame& frame) = 0;
+  /// Runs another kernel over all pixels of the frame: tabulated cosines (kernels/evaluate.h), directions (kernels/directions.h).
+  virtual void run(Entry entry, const Choice& choice, const Frame& frame) = 0;
   /// Makes the results visible in BandData::out.
   virtual void finish() = 0;
 };

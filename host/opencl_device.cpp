@@ -20,6 +20,9 @@ constexpr int group = 16;
 /// Pixels times lights between two looks at the interrupt flag: about 0.1 s on one slow core.
 constexpr std::int64_t slice_work = 40'000'000;
 
+#define RELUME_ENTRY_TEXT(name) #name,
+constexpr const char* entry_names[] = {RELUME_ENTRIES(RELUME_ENTRY_TEXT)};
+
 class OpenClDevice : public Device {
  public:
   OpenClDevice(const cl::Device& device, const DeviceInfo& info) : info_(info), device_(device), context_(device), queue_(context_, device) {}
@@ -66,9 +69,9 @@ class OpenClBand : public Band {
         out_(over(device.context(), CL_MEM_READ_WRITE, data.out->data(), data.out->bytes())) {}
 
   void shade(const Choice& choice, const Frame& frame, const Progress& progress) override {
-    run("shade", choice, frame, lights_met(frame, data_.lists), progress);
+    launch(Entry::shade, choice, frame, lights_met(frame, data_.lists), progress);
   }
-  void evaluate(const Choice& choice, const Frame& frame) override { run("evaluate", choice, frame, 1, {}); }
+  void run(Entry entry, const Choice& choice, const Frame& frame) override { launch(entry, choice, frame, 1, {}); }
 
   void finish() override try {
     const InForeignCode driver(Foreign::driver);
@@ -83,10 +86,10 @@ class OpenClBand : public Band {
 
  private:
   /// Launches slice after slice of pixels; `work`: how much a pixel costs, in lights.
-  void run(const std::string& name, const Choice& choice, const Frame& frame, std::int64_t work, const Progress& progress) try {
+  void launch(Entry entry, const Choice& choice, const Frame& frame, std::int64_t work, const Progress& progress) try {
     const InForeignCode driver(Foreign::driver);
     const cl::Buffer constants(device_.context(), CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, sizeof frame, const_cast<Frame*>(&frame));
-    Kernel& kernel = device_.kernel(name, choice);
+    Kernel& kernel = device_.kernel(entry_names[std::size_t(entry)], choice);
     const int lanes = device_.info().lanes, local = device_.info().is_cpu ? group : 64;
     const std::int64_t unit = std::int64_t(lanes) * local, slice = std::max<std::int64_t>(1, slice_work / work / unit) * unit;
     for (std::int64_t first = 0; first < frame.pixels; first += slice) {

@@ -47,7 +47,7 @@ Planes RowBand::evaluate(Device& device, const Binding& binding) {
   out.add(6);
   frame.out_stride = int(out.stride());
   const auto band = device.bind({&gbuffer_.planes, {}, {}, binding.tables(), &out});
-  band->evaluate(binding.programs().front(), frame);
+  band->run(Entry::evaluate, binding.programs().front(), frame);
   band->finish();
   return out;
 }

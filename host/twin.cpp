@@ -5,21 +5,22 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 
 #include "gbuffer/error.h"
 #include "host/light_lists.h"
 
 namespace relume {
 
-using ShadeRange = void (*)(const Choice&, const float*, const Frame&, const LightRecord*, const int*, const float*, float*, int, int);
+using RunRange = void (*)(const Choice&, const float*, const Frame&, const LightRecord*, const int*, const float*, float*, int, int);
 using BoundCell = void (*)(const float*, const Frame&, const int*, int, PixelBounds&);
-using EvaluateRange = void (*)(const Choice&, const float*, const Frame&, const float*, float*, int, int);
 
-#define RELUME_TWIN(lanes)                                                                                                     \
-  namespace lanes {                                                                                                            \
-  void shade_range(const Choice&, const float*, const Frame&, const LightRecord*, const int*, const float*, float*, int, int); \
-  void evaluate_range(const Choice&, const float*, const Frame&, const float*, float*, int, int);                              \
-  void bound_cell(const float*, const Frame&, const int*, int, PixelBounds&);                                                  \
+#define RELUME_TWIN_RANGE(name) \
+  void name##_range(const Choice&, const float*, const Frame&, const LightRecord*, const int*, const float*, float*, int, int);
+#define RELUME_TWIN(lanes)                                                    \
+  namespace lanes {                                                           \
+  RELUME_ENTRIES(RELUME_TWIN_RANGE)                                           \
+  void bound_cell(const float*, const Frame&, const int*, int, PixelBounds&); \
   }
 RELUME_TWIN(lanes1)
 RELUME_TWIN(lanes4)
@@ -28,27 +29,31 @@ RELUME_TWIN(lanes16)
 
 namespace {
 
+#define RELUME_COUNT_ENTRY(name) +1
+constexpr std::size_t entry_count = 0 RELUME_ENTRIES(RELUME_COUNT_ENTRY);
+
 struct Compilation {
   int lanes;
-  ShadeRange shade;
-  EvaluateRange evaluate;
+  std::array<RunRange, entry_count> run;  // by Entry
   BoundCell bound;
   bool runs_here;
 };
 
-const std::vector<Compilation>& compilations() {
 #if defined(__x86_64__)
-  static const std::vector<Compilation> all{
-      {1, lanes1::shade_range, lanes1::evaluate_range, lanes1::bound_cell, true},
-      {4, lanes4::shade_range, lanes4::evaluate_range, lanes4::bound_cell, true},
-      {8, lanes8::shade_range, lanes8::evaluate_range, lanes8::bound_cell, __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")},
-      {16, lanes16::shade_range, lanes16::evaluate_range, lanes16::bound_cell, bool(__builtin_cpu_supports("avx512f"))}};
+const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"), has_avx512 = __builtin_cpu_supports("avx512f");
 #else
-  static const std::vector<Compilation> all{{1, lanes1::shade_range, lanes1::evaluate_range, lanes1::bound_cell, true},
-                                            {4, lanes4::shade_range, lanes4::evaluate_range, lanes4::bound_cell, true},
-                                            {8, lanes8::shade_range, lanes8::evaluate_range, lanes8::bound_cell, true},
-                                            {16, lanes16::shade_range, lanes16::evaluate_range, lanes16::bound_cell, true}};
+constexpr bool has_avx2 = true, has_avx512 = true;  // vectors of any width are built of what there is
 #endif
+
+const std::vector<Compilation>& compilations() {
+#define RELUME_RANGE_1(name) lanes1::name##_range,
+#define RELUME_RANGE_4(name) lanes4::name##_range,
+#define RELUME_RANGE_8(name) lanes8::name##_range,
+#define RELUME_RANGE_16(name) lanes16::name##_range,
+  static const std::vector<Compilation> all{{1, {RELUME_ENTRIES(RELUME_RANGE_1)}, lanes1::bound_cell, true},
+                                            {4, {RELUME_ENTRIES(RELUME_RANGE_4)}, lanes4::bound_cell, true},
+                                            {8, {RELUME_ENTRIES(RELUME_RANGE_8)}, lanes8::bound_cell, has_avx2},
+                                            {16, {RELUME_ENTRIES(RELUME_RANGE_16)}, lanes16::bound_cell, has_avx512}};
   return all;
 }
 
@@ -63,21 +68,22 @@ class TwinBand : public Band {
     for (std::int64_t first = 0; first < frame.pixels; first += slice) {
       const std::int64_t last = std::min<std::int64_t>(first + slice, frame.pixels);
       tbb::parallel_for(tbb::blocked_range<std::int64_t>(first / unit, (last + unit - 1) / unit), [&](const auto& range) {
-        const int begin = int(range.begin() * unit), end = int(std::min<std::int64_t>(range.end() * unit, last));
-        compilation_.shade(choice, data_.planes->data(), frame, data_.lights.data(), data_.lists.data(), data_.tables.data(), data_.out->data(),
-                           begin, end);
+        run_range(Entry::shade, choice, frame, int(range.begin() * unit), int(std::min<std::int64_t>(range.end() * unit, last)));
       });
       if (progress) progress(last - first);
     }
   }
 
-  void evaluate(const Choice& choice, const Frame& frame) override {
-    compilation_.evaluate(choice, data_.planes->data(), frame, data_.tables.data(), data_.out->data(), 0, frame.pixels);
-  }
+  void run(Entry entry, const Choice& choice, const Frame& frame) override { run_range(entry, choice, frame, 0, frame.pixels); }
 
   void finish() override {}
 
  private:
+  void run_range(Entry entry, const Choice& choice, const Frame& frame, int first, int last) {
+    compilation_.run[std::size_t(entry)](choice, data_.planes->data(), frame, data_.lights.data(), data_.lists.data(), data_.tables.data(),
+                                         data_.out->data(), first, last);
+  }
+
   const Compilation& compilation_;
   BandData data_;
 };

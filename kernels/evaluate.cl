@@ -4,7 +4,6 @@
 
 __kernel void evaluate(__global const float* restrict planes, __global const Frame* restrict frame, __global const LightRecord* restrict lights,
                        __global const int* restrict lists, __global const float* restrict tables, __global float* restrict out, int first) {
-  (void)lights, (void)lists;
   const int i = first + (int)get_global_id(0) * RELUME_LANES;
-  if (i < frame->pixels) evaluate_rows(built_choice(), planes, frame, tables, out, i);
+  if (i < frame->pixels) evaluate_pixels(built_choice(), planes, frame, lights, lists, tables, out, i);
 }

@@ -8,8 +8,10 @@
 
 /// Rows i .. i + RELUME_LANES - 1. The planes from frame->position are the members of Cosines in their order.
 /// Writes f_r n.l, diffuse and specular, to the output planes frame->diffuse and frame->specular.
-RELUME_FN void evaluate_rows(Choice choice, RELUME_GLOBAL const float* planes, RELUME_GLOBAL const Frame* frame, RELUME_GLOBAL const float* tables,
-                             RELUME_GLOBAL float* out, int i) {
+RELUME_FN void evaluate_pixels(Choice choice, RELUME_GLOBAL const float* planes, RELUME_GLOBAL const Frame* frame,
+                               RELUME_GLOBAL const LightRecord* lights, RELUME_GLOBAL const int* lists, RELUME_GLOBAL const float* tables,
+                               RELUME_GLOBAL float* out, int i) {
+  (void)lights, (void)lists;
   const size_t stride = frame->plane_stride;
   RELUME_GLOBAL const float* p = planes + stride * frame->position + i;
   Cosines c;

@@ -73,7 +73,7 @@ class WrongDevice : public Device {
    public:
     WrongBand(std::unique_ptr<Band> band, Planes* out) : band_(std::move(band)), out_(out) {}
     void shade(const Choice& choice, const Frame& frame, const Progress& progress) override { band_->shade(choice, frame, progress); }
-    void evaluate(const Choice& choice, const Frame& frame) override { band_->evaluate(choice, frame); }
+    void run(Entry entry, const Choice& choice, const Frame& frame) override { band_->run(entry, choice, frame); }
     void finish() override { out_->plane(1)[0] *= 1.0001f; }
 
    private:
@@ -220,7 +220,7 @@ TEST(BenchCommand, SaysInOneLineThatThereIsNoGnuplot) {
   arguments.insert(arguments.end(), {"--plots", folder / "plots"});
   const ProgramRun run = run_program(arguments, {}, "PATH=" + folder.path().string());
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_NE(run.out.find("no plots: gnuplot is not here"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("no figure: gnuplot is not here"), std::string::npos) << run.out;
 }
 
 TEST(BenchCommand, RefusesInOneLine) {

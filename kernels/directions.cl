@@ -1,0 +1,9 @@
+// The directions of each pixel on a device: one work-item for RELUME_LANES neighbouring pixels.
+#include "kernels/built_choice.h"
+#include "kernels/directions.h"
+
+__kernel void directions(__global const float* restrict planes, __global const Frame* restrict frame, __global const LightRecord* restrict lights,
+                         __global const int* restrict lists, __global const float* restrict tables, __global float* restrict out, int first) {
+  const int i = first + (int)get_global_id(0) * RELUME_LANES;
+  if (i < frame->pixels) directions_pixels(built_choice(), planes, frame, lights, lists, tables, out, i);
+}

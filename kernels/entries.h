@@ -1,0 +1,7 @@
+// Every kernel, once. ENTRY(name): the file kernels/<name>.cl, whose kernel calls <name>_pixels of kernels/<name>.h for RELUME_LANES neighbours.
+#ifndef RELUME_ENTRIES_H
+#define RELUME_ENTRIES_H
+
+#define RELUME_ENTRIES(ENTRY) ENTRY(shade) ENTRY(evaluate) ENTRY(directions)
+
+#endif
