@@ -9,16 +9,16 @@ namespace relume {
 /// What a parsed subcommand runs; its value is the exit code.
 using Action = std::function<int()>;
 
-#define RELUME_COMMANDS(COMMAND)                                                   \
-  COMMAND(shade, "relight a G-buffer: new lights in, a scene-linear image out")    \
-  COMMAND(inspect, "what each channel of a G-buffer means, and how that was told") \
-  COMMAND(doctor, "what is wrong with a G-buffer, where, and what mends it")       \
-  COMMAND(compare, "how far two images are apart, layer by layer")                 \
-  COMMAND(devices, "OpenCL devices, their lanes and self-test")                    \
-  COMMAND(list, "BRDFs, lights and conventions that Relume knows")                 \
-  COMMAND(evaluate, "a table of BRDF values for a table of cosines")               \
-  COMMAND(bench, "how fast devices shade, beside plain C++ and textbook kernels")  \
-  COMMAND(figure, "pictures that compare one way of lighting with another")
+#define RELUME_COMMANDS(COMMAND)                                                       \
+  COMMAND(shade, "relight a G-buffer: new lights in, a scene-linear image out")        \
+  COMMAND(inspect, "what each channel of a G-buffer means, and how that was told")     \
+  COMMAND(doctor, "what is wrong with a G-buffer, where, and what mends it")           \
+  COMMAND(compare, "how far two images are apart, layer by layer")                     \
+  COMMAND(devices, "OpenCL devices, their lanes and self-test")                        \
+  COMMAND(list, "BRDFs, lights and conventions that Relume knows")                     \
+  COMMAND(evaluate, "a table of BRDF values for a table of cosines")                   \
+  COMMAND(directions, "the directions n, v, l, R_v, R_l, h of every pixel, as layers") \
+  COMMAND(bench, "how fast devices shade, beside plain C++ and textbook kernels")
 
 #define RELUME_DECLARE_COMMAND(name, summary) void add_##name(CLI::App& command, Action& action);
 RELUME_COMMANDS(RELUME_DECLARE_COMMAND)

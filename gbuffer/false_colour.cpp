@@ -16,11 +16,11 @@
 namespace relume {
 namespace {
 
-using Colour = std::array<std::uint8_t, 3>;
+using Colour = RgbCode;
 using Components = std::vector<const float*>;
 using Painter = std::function<Colour(const Components& components, std::size_t i)>;
 
-constexpr Colour vermillion{213, 94, 0}, sky_blue{86, 180, 233}, nothing{40, 40, 40};
+constexpr Colour vermillion{213, 94, 0}, sky_blue{86, 180, 233}, nothing = no_surface_colour;
 
 /// 0..1; of NaN, which a range without extent leaves, 0: it has no code.
 double within_range(double share) { return share > 0 ? std::min(share, 1.0) : 0; }
@@ -82,7 +82,7 @@ Style direction(const Reading& reading) {
   return {[frame = LayerFrame(reading)](const Components& v, std::size_t i) -> Colour {
             const glm::dvec3 n = frame.decoded({v[0][i], v[1][i], v[2][i]});
             if (n == glm::dvec3(0)) return nothing;
-            return {code(0.5 + 0.5 * n.x), code(0.5 + 0.5 * n.y), code(0.5 + 0.5 * n.z)};
+            return direction_colour(n.x, n.y, n.z);
           },
           "rgb = xyz"};
 }
@@ -208,6 +208,10 @@ std::vector<View> false_colour_views(const ExrFile& file, const Reading& reading
   }
   return views;
 }
+
+RgbCode direction_colour(double x, double y, double z) { return {code(0.5 + 0.5 * x), code(0.5 + 0.5 * y), code(0.5 + 0.5 * z)}; }
+
+RgbCode cosine_colour(double cosine) { return cosine < 0 ? vermillion : viridis(cosine); }
 
 View marked_view(const View& under, const Window& data, const std::vector<std::uint8_t>& marks, const std::vector<bool>& defect) {
   View view{"findings", "findings: defects orange, hints blue", under.picture};

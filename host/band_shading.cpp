@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "host/band_frame.h"
+
 namespace relume {
 
 BandShading::BandShading(Device& device, const Binding& binding, const LightLinks& lights, const OutputLayout& layout, const Reading& reading)
@@ -13,21 +15,9 @@ BandShading::BandShading(Device& device, const Binding& binding, const LightLink
 }
 
 Frame BandShading::frame_of(const GBuffer& gbuffer, const Planes& out) const {
-  Frame frame{};
-  frame.pixels = int(gbuffer.samples());
-  frame.plane_stride = int(gbuffer.planes.stride());
-  frame.position = gbuffer.position.first;
-  frame.normal = gbuffer.normal.first;
-  frame.base_normal = gbuffer.base_normal.count ? gbuffer.base_normal.first : -1;
-  frame.bump_shadowing = gbuffer.base_normal.count ? int(reading_.bump_shadowing) : int(BUMP_none);
-  const Camera& camera = *reading_.camera;
-  const bool orthographic = camera.projection == Camera::Projection::orthographic;
-  const glm::dvec3 viewer = orthographic ? camera.backward() : camera.eye();
-  for (int c = 0; c < 3; ++c) frame.viewer[c] = float(viewer[c]);
-  frame.viewer[3] = orthographic ? 0.0f : 1.0f;
+  Frame frame = band_frame(gbuffer, reading_, out);
   frame.nodes = binding_.ambient_nodes_begin();
   frame.node_count = binding_.ambient_node_count();
-  frame.out_stride = int(out.stride());
   frame.total = OutputLayout::total;
   frame.diffuse = layout_.diffuse;
   frame.specular = layout_.specular;

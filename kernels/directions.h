@@ -2,16 +2,14 @@
 #ifndef RELUME_DIRECTIONS_H
 #define RELUME_DIRECTIONS_H
 
+#include "kernels/directions_list.h"
 #include "kernels/shade.h"
-
-/// The planes that are written, from frame->total: three of each direction, one of each cosine.
-#define RELUME_DIRECTIONS(DIRECTION) DIRECTION(n) DIRECTION(v) DIRECTION(l) DIRECTION(R_v) DIRECTION(R_l) DIRECTION(h)
-#define RELUME_DIRECTION_COSINES(COSINE) COSINE(n_l) COSINE(n_v) COSINE(l_v) COSINE(n_h) COSINE(v_h) COSINE(R_v_l)
 
 /// v mirrored at n: 2 (n.v) n - v
 RELUME_FN real3 mirrored3(real3 n, real3 v) { return subtract3(scale3(n, 2.0f * dot3(n, v)), v); }
 
-/// Zeros where no surface is shown; where l is not defined (the light is at the surface), zeros in what needs it.
+/// Writes the planes of kernels/directions_list.h from frame->total, three of each direction, one of each cosine. Zeros where no surface is shown;
+/// where l is not defined (the light is at the surface), zeros in what needs it.
 RELUME_FN void directions_pixels(Choice choice, RELUME_GLOBAL const float* planes, RELUME_GLOBAL const Frame* frame,
                                  RELUME_GLOBAL const LightRecord* lights, RELUME_GLOBAL const int* lists, RELUME_GLOBAL const float* tables,
                                  RELUME_GLOBAL float* out, int i) {

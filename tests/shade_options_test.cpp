@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
@@ -213,16 +214,35 @@ TEST(List, HoldsEveryLobeLightAndConvention) {
     EXPECT_TRUE(names(listed("conventions")).contains(convention)) << convention;
 }
 
+/// A command and those below it, as words to type, with what --help prints of each.
+std::map<std::vector<std::string>, std::string> helps(const std::vector<std::string>& command = {}) {
+  std::vector<std::string> words = command;
+  words.push_back("--help");
+  const ProgramRun run = run_program(words);
+  EXPECT_EQ(run.code, 0) << run.err;
+  std::map<std::vector<std::string>, std::string> all{{command, run.out}};
+  std::istringstream lines(run.out.substr(std::min(run.out.find("Subcommands:"), run.out.size())));
+  static const std::regex entry("  ([a-z_-]+) +.*");
+  std::smatch match;
+  for (std::string line; std::getline(lines, line);) {
+    if (!std::regex_match(line, match, entry)) continue;
+    words.back() = match[1];
+    all.merge(helps(words));
+  }
+  return all;
+}
+
 TEST(Help, EveryCommandHasAnExample) {
-  const ProgramRun all = run_program({"--help"});
-  EXPECT_EQ(all.code, 0);
-  for (const char* command : {"shade", "inspect", "doctor", "compare", "devices", "list", "evaluate", "bench"}) {
-    EXPECT_NE(all.out.find(std::string("\n  ") + command + " "), std::string::npos) << command;
-    const ProgramRun help = run_program({command, "--help"});
-    EXPECT_EQ(help.code, 0) << command;
-    const std::size_t example = help.out.find("Example");
-    ASSERT_NE(example, std::string::npos) << command;
-    EXPECT_NE(help.out.find(std::string("relume ") + command, example), std::string::npos) << command;
+  const auto all = helps();
+  for (const char* command : {"shade", "inspect", "doctor", "compare", "devices", "list", "evaluate", "bench"})
+    EXPECT_TRUE(all.contains({command})) << command;
+  for (const auto& [command, help] : all) {
+    if (help.find("Subcommands:") != std::string::npos) continue;
+    std::string words = "relume";
+    for (const std::string& word : command) words += " " + word;
+    const std::size_t example = help.find("Example");
+    ASSERT_NE(example, std::string::npos) << words;
+    EXPECT_NE(help.find(words, example), std::string::npos) << words;
   }
 }
 
@@ -233,8 +253,8 @@ std::set<std::string> options_in(const std::string& text) {
 
 TEST(Help, DocumentsNameTheOptionsThatThereAre) {
   std::set<std::string> there;
-  for (const char* command : {"shade", "inspect", "doctor", "compare", "devices", "list", "evaluate", "bench"})
-    there.merge(options_in(run_program({command, "--help"}).out));
+  for (const auto& [command, help] : helps())
+    if (!command.empty()) there.merge(options_in(help));
   EXPECT_EQ(options_in(text_of_file(std::filesystem::path(RELUME_SOURCE) / "docs/formats.md")), there);
 }
 
