@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "host/binding.h"
-#include "host/lobes.h"
 
 namespace relume::bench {
 namespace {
@@ -20,20 +19,6 @@ Reading reading_of(const FrameSource& source) {
 RoleLayer no_layer(const std::string&) { return {}; }
 
 }  // namespace
-
-Material material_named(const std::string& brdf) {
-  Material material;
-  const std::size_t plus = brdf.find('+');
-  const std::string first = brdf.substr(0, plus), second = plus == std::string::npos ? first : brdf.substr(plus + 1);
-  const bool diffuse = find_lobe(true, first), specular = find_lobe(false, second);
-  if (plus != std::string::npos || !(diffuse || specular)) {
-    if (first != "none") lobe_named(true, first);
-    if (second != "none") lobe_named(false, second);
-  }
-  material.diffuse = diffuse ? first : "none";
-  material.specular = specular ? second : "none";
-  return material;
-}
 
 ResidentFrame::ResidentFrame(const FrameSource& source, const Material& material) : gbuffer_{{}, Planes(1, 1), {}, {}, {}, {}, false, {}, {}} {
   Reading reading = reading_of(source);

@@ -7,15 +7,13 @@
 #include <vector>
 
 #include "gbuffer/gbuffer.h"
+#include "host/brdf_name.h"
 #include "host/device.h"
 #include "host/light_lists.h"
 #include "host/light_records.h"
 #include "host/materials.h"
 
 namespace relume::bench {
-
-/// A BRDF in one word: "lambert+ggx", "none+ggx"; one name alone stands for both halves where both have it. Throws Error{input}.
-Material material_named(const std::string& brdf);
 
 /// Pixels that are made when it is known which of their roles are read.
 struct FrameSource {

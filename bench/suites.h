@@ -13,6 +13,7 @@ namespace relume::bench {
   SUITE(kernel)              \
   SUITE(many_lights)         \
   SUITE(growth)              \
+  SUITE(live)                \
   SUITE(pipeline)
 
 #define RELUME_DECLARE_SUITE(name) std::vector<Group> name##_groups(const Bench& bench);

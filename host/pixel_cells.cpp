@@ -40,10 +40,21 @@ int PixelCells::block_at(int y, int column) const {
   return y < rows_ && number < first_of_row(y + 1) ? int(number) : -1;
 }
 
-PixelBounds PixelCells::bounds_of_cell(int y, int column) const {
-  int blocks[cell_rows], count = 0;
+std::vector<int> PixelCells::blocks_of_cell(int y, int column) const {
+  int blocks[cell_rows];
+  return {blocks, blocks + find_blocks(y, column, blocks)};
+}
+
+int PixelCells::find_blocks(int y, int column, int* blocks) const {
+  int count = 0;
   for (int row = y; row < y + cell_rows; ++row)
     if (const int number = block_at(row, column); number >= 0) blocks[count++] = number;
+  return count;
+}
+
+PixelBounds PixelCells::bounds_of_cell(int y, int column) const {
+  int blocks[cell_rows];
+  const int count = find_blocks(y, column, blocks);
   PixelBounds bounds = no_bounds();
   const float* const program = planes_.plane(frame_.program_plane);
   for (int k = 0; k < count; ++k)

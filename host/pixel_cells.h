@@ -1,6 +1,8 @@
 // A band's pixels in cells, tiles and super-tiles, and what each is bounded by.
 #pragma once
 
+#include <vector>
+
 #include "gbuffer/planes.h"
 #include "host/frame.h"
 
@@ -24,10 +26,17 @@ class PixelCells {
   int super_tiles_down() const { return (rows_ + super_rows - 1) / super_rows; }
   /// Blocks whose first pixel lies in row y, at this column: its number, or -1.
   int block_at(int y, int column) const;
+  int columns() const { return columns_; }
+  int cells_down() const { return (rows_ + cell_rows - 1) / cell_rows; }
+  /// The numbers of the blocks of the cell whose first row is y.
+  std::vector<int> blocks_of_cell(int y, int column) const;
   /// Of the cell whose first row is y: all its pixels that show a surface.
   PixelBounds bounds_of_cell(int y, int column) const;
 
  private:
+  /// How many the cell has, at most cell_rows.
+  int find_blocks(int y, int column, int* blocks) const;
+
   const Planes& planes_;
   const Frame& frame_;
   int width_, blocks_, rows_, columns_;

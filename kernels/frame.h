@@ -62,6 +62,8 @@ typedef struct {
   int lists;                                  // where in the lists the blocks' own lights are told (host/light_lists.h); 0: every light is met
   int total, diffuse, specular, ambient_out;  // plane indices in the output, 3 planes each; -1: not wanted
   int out_stride;                             // floats from one output plane to the next
+  int sums;  // plane index in the output, 6 planes: diffuse and specular sums as they are before coverage; 0: not wanted
+  int base;  // the same, of other lights: what is added to. Blocks whose list begins below 0 are left as they are. 0: none
   Field field[FIELD_COUNT];
 } Frame;
 

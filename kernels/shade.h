@@ -58,15 +58,12 @@ RELUME_FN int may_reach(RELUME_GLOBAL const Frame* frame, RELUME_GLOBAL const Li
 #define RELUME_PUT_INTO_BATCH(member) batch_##member[arrivals] = c.member;
 #define RELUME_TAKE_FROM_BATCH(member) c.member = batch_##member[k];
 
-/// The sum over the lights of the pixels' list, or over all. They come in batches, through short loops one after the other: a processor has some 200
+/// `sum` with the lights of the pixels' list, or with all. They come in batches, through short loops one after the other: a processor has some 200
 /// vector instructions under way at a time, which one loop over everything would fill with a light or two, whose operations wait for each other.
 /// And what reaches no lane is left out without a branch that could be mispredicted. Each member of the cosines has its own array, so that one
 /// which no lobe reads is dropped.
 RELUME_FN Radiance direct_light(Choice choice, RELUME_GLOBAL const Frame* frame, RELUME_GLOBAL const LightRecord* lights,
-                                RELUME_GLOBAL const int* lists, Surface s, Seen seen, int i) {
-  Radiance sum;
-  sum.diffuse = grey(all_lanes(0.0f));
-  sum.specular = sum.diffuse;
+                                RELUME_GLOBAL const int* lists, Surface s, Seen seen, Radiance sum, int i) {
   const int listed = frame->lists > 0;
   RELUME_GLOBAL const int* own = lists + (listed ? frame->lists + 2 * (i / RELUME_LISTED_PIXELS) : 0);
   const int end = listed ? own[1] : frame->light_begin[LIGHT_COUNT];
@@ -109,12 +106,30 @@ RELUME_FN void store_where(mask m, real3 value, RELUME_GLOBAL float* out, int st
   store(choose(m, finite(value.z), load(p + 2 * (size_t)stride)), p + 2 * (size_t)stride);
 }
 
+/// What other lights gave to the sums, where a base is kept of them (host/live_frame.h), else nothing.
+RELUME_FN Radiance sums_so_far(RELUME_GLOBAL const Frame* frame, RELUME_GLOBAL const float* out, int i) {
+  Radiance sum;
+  sum.diffuse = sum.specular = grey(all_lanes(0.0f));
+  if (frame->base == 0) return sum;
+  sum.diffuse = load3(out, frame->out_stride, frame->base, i);
+  sum.specular = load3(out, frame->out_stride, frame->base + 3, i);
+  return sum;
+}
+
+/// Ambient light does not change with the lights that are added to a base: what was written with it stands.
+RELUME_FN real3 ambient_light(Choice choice, RELUME_GLOBAL const Frame* frame, RELUME_GLOBAL const float* out, Surface s, Seen seen, real coverage,
+                              int i) {
+  if (frame->base > 0 && frame->ambient_out >= 0) return load3(out, frame->out_stride, frame->ambient_out, i);
+  return scale3(reflect_ambient(choice, frame, s, seen.diffuse, seen.specular), coverage);
+}
+
 /// Shades pixels i .. i + RELUME_LANES - 1 of those whose program this is; the others' output is left alone.
 RELUME_FN void shade_pixels(Choice choice, RELUME_GLOBAL const float* planes, RELUME_GLOBAL const Frame* frame,
                             RELUME_GLOBAL const LightRecord* lights, RELUME_GLOBAL const int* lists, RELUME_GLOBAL const float* tables,
                             RELUME_GLOBAL float* out, int i) {
   const mask mine = load(planes + (size_t)frame->plane_stride * frame->program_plane + i) == (float)frame->program;
   if (!any_of(mine)) return;
+  if (frame->base > 0 && frame->lists > 0 && lists[frame->lists + 2 * (i / RELUME_LISTED_PIXELS)] < 0) return;
   Surface s = load_surface(planes, frame, tables, i);
   s.fresnel = choice.fresnel;
   s.shadowing = choice.shadowing;
@@ -125,16 +140,20 @@ RELUME_FN void shade_pixels(Choice choice, RELUME_GLOBAL const float* planes, RE
   Seen seen;
   seen.diffuse = front | as_stored;
   seen.specular = front;
-  Radiance sum = direct_light(choice, frame, lights, lists, s, seen, i);
+  const int stride = frame->out_stride;
+  Radiance sum = direct_light(choice, frame, lights, lists, s, seen, sums_so_far(frame, out, i), i);
+  if (frame->sums > 0) {
+    store_where(mine, sum.diffuse, out, stride, frame->sums, i);
+    store_where(mine, sum.specular, out, stride, frame->sums + 3, i);
+  }
   const real coverage = field_1(planes, &frame->field[FIELD_coverage], i);
   sum.diffuse = scale3(sum.diffuse, coverage);
   sum.specular = scale3(sum.specular, coverage);
-  const real3 ambient = scale3(reflect_ambient(choice, frame, s, seen.diffuse, seen.specular), coverage);
-  const int stride = frame->out_stride;
+  const real3 ambient = ambient_light(choice, frame, out, s, seen, coverage, i);
   store_where(mine, add3(add3(sum.diffuse, sum.specular), ambient), out, stride, frame->total, i);
   store_where(mine, sum.diffuse, out, stride, frame->diffuse, i);
   store_where(mine, sum.specular, out, stride, frame->specular, i);
-  store_where(mine, ambient, out, stride, frame->ambient_out, i);
+  if (frame->base == 0) store_where(mine, ambient, out, stride, frame->ambient_out, i);
 }
 
 #endif

@@ -1,0 +1,124 @@
+// LiveFrame: a base of the lights that stand still, and the held one on top of it.
+#include "host/live_frame.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "gbuffer/error.h"
+#include "host/band_frame.h"
+#include "host/json.h"
+#include "host/light_reach.h"
+
+namespace relume {
+
+LiveFrame::LiveFrame(Device& device, GBuffer gbuffer, const Binding& binding, const Reading& reading)
+    : device_(device), binding_(binding), gbuffer_(std::move(gbuffer)), out_(std::size_t(gbuffer_.samples()), planes) {
+  out_.add(planes);
+  frame_ = band_frame(gbuffer_, reading, out_);
+  frame_.nodes = binding.ambient_nodes_begin();
+  frame_.node_count = binding.ambient_node_count();
+  binding.bind(gbuffer_, *reading.camera, frame_);
+  const PixelCells pixels(gbuffer_.planes, frame_, gbuffer_.window.width());
+  std::vector<std::vector<std::pair<std::vector<int>, PixelBounds>>> rows(std::size_t(pixels.cells_down()));
+  tbb::parallel_for(std::size_t(0), rows.size(), [&](std::size_t row) {
+    const int y = int(row) * PixelCells::cell_rows;
+    for (int column = 0; column < pixels.columns(); ++column)
+      if (const PixelBounds bounds = pixels.bounds_of_cell(y, column); !is_empty(bounds))
+        rows[row].emplace_back(pixels.blocks_of_cell(y, column), bounds);
+  });
+  for (auto& row : rows) cells_.insert(cells_.end(), std::make_move_iterator(row.begin()), std::make_move_iterator(row.end()));
+}
+
+void LiveFrame::check(const Light& light) const {
+  const std::string who = "light " + in_quotes(light.name);
+  if (!light.include.empty() || !light.exclude.empty())
+    throw Error(ErrorKind::input, who + ": is linked to objects, which a live frame does not know");
+  if (light.fraction) throw Error(ErrorKind::input, who + ": is a fraction of the frame's mean (give an intensity)");
+}
+
+void LiveFrame::set_lights(std::vector<Light> lights) {
+  for (const Light& light : lights) check(light);
+  lights_ = std::move(lights);
+  held_.reset();
+  shade(light_records(lights_), {}, 0, 0);
+  touched_ = 1;
+}
+
+void LiveFrame::change_light(std::size_t number, const Light& light) {
+  if (number >= lights_.size()) throw Error(ErrorKind::input, "no light " + std::to_string(number) + " (has " + std::to_string(lights_.size()) + ")");
+  check(light);
+  const bool ambient_changes = light.type == LightType::ambient || lights_[number].type == LightType::ambient;
+  if (ambient_changes) {
+    std::vector<Light> lights = lights_;
+    lights[number] = light;
+    return set_lights(std::move(lights));
+  }
+  const LightRecords before = light_records({lights_[number]}), now = light_records({light});
+  const bool is_held = held_ == number;
+  if (!is_held) hold(number);
+  lights_[number] = light;
+  shade(now, is_held ? lists_of(before, now) : std::vector<int>{}, 0, sums);
+}
+
+/// The picture lacks the held light until it is shaded for all pixels.
+void LiveFrame::hold(std::size_t number) {
+  std::vector<Light> others = lights_;
+  others.erase(others.begin() + std::ptrdiff_t(number));
+  shade(light_records(others), {}, sums, 0);
+  held_ = number;
+  touched_ = 1;
+}
+
+std::vector<int> LiveFrame::lists_of(const LightRecords& before, const LightRecords& now) {
+  const LightReach reach_before(before.records, before.begin), reach_now(now.records, now.begin);
+  const std::size_t blocks = (std::size_t(frame_.pixels) + PixelCells::block - 1) / PixelCells::block;
+  std::vector<int> numbers(1 + 2 * blocks, -1);  // Frame::lists is 1: 0 would mean none
+  const int empty = int(numbers.size());
+  numbers.push_back(0);
+  std::vector<char> reached(cells_.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells_.size(), 256), [&](const auto& range) {
+    thread_local std::vector<int> found;
+    for (std::size_t k = range.begin(); k < range.end(); ++k) {
+      found.clear();
+      reach_now.add_lighting(cells_[k].second, found);
+      const bool lit = !found.empty();
+      reach_before.add_lighting(cells_[k].second, found);
+      reached[k] = lit ? 2 : !found.empty();
+    }
+  });
+  std::size_t touched = 0;
+  for (std::size_t k = 0; k < cells_.size(); ++k) {
+    if (!reached[k]) continue;
+    for (const int block : cells_[k].first) {
+      numbers[1 + 2 * std::size_t(block)] = empty;
+      numbers[2 + 2 * std::size_t(block)] = empty + (reached[k] == 2);
+      ++touched;
+    }
+  }
+  touched_ = blocks ? double(touched) / double(blocks) : 0;
+  return numbers;
+}
+
+void LiveFrame::shade(const LightRecords& lights, std::span<const int> lists, int sums_out, int base) {
+  Frame frame = frame_;
+  std::copy(lights.begin.begin(), lights.begin.end(), frame.light_begin);
+  frame.lists = lists.empty() ? 0 : 1;
+  frame.sums = sums_out;
+  frame.base = base;
+  // What is not there need not be read from beside the picture.
+  const bool any = std::any_of(lights_.begin(), lights_.end(), [](const Light& light) { return light.type == LightType::ambient; });
+  frame.ambient_out = any ? ambient : -1;
+  for (int c = 0; c < 3; ++c) frame.ambient[c] = float(lights.ambient[c]);
+  frame.ambient[3] = lights.ambient == glm::dvec3(0) ? 0.0f : 1.0f;
+  const auto band = device_.bind({&gbuffer_.planes, lights.records, lists, binding_.tables(), &out_});
+  for (std::size_t p = 0; p < binding_.programs().size(); ++p) {
+    frame.program = int(p);
+    frame.width_rule = binding_.width_rule(int(p));
+    band->shade(binding_.programs()[p], frame, {});
+  }
+  band->finish();
+}
+
+}  // namespace relume
