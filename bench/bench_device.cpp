@@ -24,8 +24,9 @@ std::string first_word(const std::string& platform) {
 
 void add(std::vector<BenchDevice>& all, const DeviceInfo& info) {
   const std::string selector = info.index < 0 ? "twin" : std::to_string(info.index);
-  if (std::any_of(all.begin(), all.end(), [&](const BenchDevice& d) { return d.selector == selector; })) return;
-  const std::string word = info.index < 0 ? "twin" : first_word(info.platform);
+  const auto is_there = [&](const BenchDevice& d) { return d.selector == selector && d.info.precision == info.precision; };
+  if (std::any_of(all.begin(), all.end(), is_there)) return;
+  const std::string word = info.index < 0 ? "twin" : first_word(info.platform) + (info.precision == Precision::relaxed ? "_relaxed" : "");
   std::string label = word;
   for (int n = 2; std::any_of(all.begin(), all.end(), [&](const BenchDevice& d) { return d.label == label; }); ++n) label = word + std::to_string(n);
   all.push_back({label, selector, info, {}});
@@ -33,7 +34,7 @@ void add(std::vector<BenchDevice>& all, const DeviceInfo& info) {
 
 }  // namespace
 
-std::unique_ptr<Device> BenchDevice::open(int lanes) const { return open_device(selector, lanes); }
+std::unique_ptr<Device> BenchDevice::open(int lanes) const { return open_device(selector, lanes, info.precision); }
 
 int BenchDevice::compute_units() const { return is_twin() ? 0 : int(opencl_device(info).getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>()); }
 
@@ -57,17 +58,21 @@ std::vector<int> BenchDevice::lanes() const {
   return all;
 }
 
-std::vector<BenchDevice> bench_devices(const std::vector<std::string>& selectors) {
-  std::vector<BenchDevice> all;
+std::vector<BenchDevice> bench_devices(const std::vector<std::string>& selectors, const std::vector<Precision>& precisions) {
+  std::vector<DeviceInfo> exact;
   for (const std::string& selector : selectors) {
     if (selector == "all") {
-      for (const DeviceInfo& info : list_devices()) add(all, info);
-      add(all, open_twin()->info());
+      for (const DeviceInfo& info : list_devices()) exact.push_back(info);
+      exact.push_back(open_twin()->info());
     } else {
-      add(all, open_device(selector)->info());
+      exact.push_back(open_device(selector)->info());
     }
   }
-  if (selectors.empty()) add(all, list_devices().empty() ? open_twin()->info() : open_device("")->info());
+  if (selectors.empty()) exact.push_back(list_devices().empty() ? open_twin()->info() : open_device("")->info());
+  std::vector<BenchDevice> all;
+  for (const DeviceInfo& info : exact)
+    for (const Precision precision : precisions)
+      add(all, precision == Precision::exact || info.index < 0 ? info : open_device(std::to_string(info.index), 0, precision)->info());
   return all;
 }
 

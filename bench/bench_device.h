@@ -37,7 +37,7 @@ struct BenchDevice {
   std::vector<int> lanes() const;
 };
 
-/// Those that the selectors name; "all": every OpenCL device and the twin; none given: the best there is. Throws Error{device}.
-std::vector<BenchDevice> bench_devices(const std::vector<std::string>& selectors);
+/// Those that the selectors name, in each precision; "all": every OpenCL device and the twin; none given: the best there is. Throws Error{device}.
+std::vector<BenchDevice> bench_devices(const std::vector<std::string>& selectors, const std::vector<Precision>& precisions);
 
 }  // namespace relume::bench

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/rounds.h"
+#include "host/device.h"
 
 namespace relume::bench {
 
@@ -17,7 +18,8 @@ struct Size {
 struct Options {
   std::optional<std::string> filter;  ///< a regular expression on names; with it every dimension that no option narrows is open
   std::vector<std::string> devices;   ///< selectors of host/device.h, or "all"; empty: the best there is
-  std::vector<int> lanes, lights;     ///< empty: the chosen ones, or all
+  std::vector<Precision> precisions{Precision::exact};
+  std::vector<int> lanes, lights;  ///< empty: the chosen ones, or all
   std::vector<Size> sizes;
   std::vector<std::string> brdfs;
   RoundOptions rounds;

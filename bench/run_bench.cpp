@@ -70,7 +70,7 @@ int run_bench(const Options& options, std::ostream& out) {
   char program[] = "relume", *arguments[] = {program, nullptr};
   int count = 1;
   benchmark::Initialize(&count, arguments);
-  Bench bench{options, bench_devices(options.devices), {}, {}};
+  Bench bench{options, bench_devices(options.devices, options.precisions), {}, {}};
   const Filter filter(options.filter);
   const std::vector<Group> groups = wanted_groups(bench, filter);
   if (options.list) {

@@ -12,7 +12,7 @@ namespace {
 struct BenchArguments {
   bench::Options options;
   std::string filter, json, csv, plots, compare;
-  std::vector<std::string> sizes;
+  std::vector<std::string> sizes, precisions{"exact"};
   int repetitions = 0;
 };
 
@@ -32,6 +32,8 @@ int bench_all(BenchArguments a) {
   bench::Options& o = a.options;
   if (!a.filter.empty()) o.filter = a.filter;
   for (const std::string& size : a.sizes) o.sizes.push_back(size_of(size));
+  o.precisions.clear();
+  for (const std::string& precision : a.precisions) o.precisions.push_back(precision == "relaxed" ? Precision::relaxed : Precision::exact);
   o.rounds.rounds_are_asked_for = a.repetitions > 0;
   if (a.repetitions > 0) o.rounds.rounds = a.repetitions;
   o.json = given(a.json);
@@ -55,6 +57,9 @@ void add_bench(CLI::App& command, Action& action) {
   command.add_option("--lanes", o.lanes, "pixels side by side: 1, 4, 8, 16; several with commas. Default: the device's own")
       ->delimiter(',')
       ->check(CLI::IsMember({1, 4, 8, 16}));
+  command.add_option("--precision", a->precisions, "exact, relaxed, or both with a comma: each device in each. Default: exact")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"exact", "relaxed"}));
   command.add_option("--size", a->sizes, "WIDTHxHEIGHT of the frame; several with commas")->delimiter(',');
   command.add_option("--lights", o.lights, "numbers of lights, with commas")->delimiter(',')->check(CLI::Range(1, 1 << 20));
   command.add_option("--brdf", o.brdfs, "lobes, with commas: ggx, lambert+cook_torrance")->delimiter(',');

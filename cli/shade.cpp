@@ -15,8 +15,8 @@ namespace relume {
 namespace {
 
 struct ShadeArguments {
-  std::string gbuffer, output, materials, png, layers, crop, diffuse = "auto", specular = "auto", edges = "mend", device, compression = "zip", units,
-                                                             up, range, scale = "auto", memory = "2G";
+  std::string gbuffer, output, materials, png, layers, crop, diffuse = "auto", specular = "auto", edges = "mend", precision = "exact", device,
+                                                             compression = "zip", units, up, range, scale = "auto", memory = "2G";
   std::vector<std::string> rigs, set;
   double exposure = 0;
   bool half = false, full = false, overwrite = false, quiet = false, json = false;
@@ -95,6 +95,7 @@ RelightJob job_of(const ShadeArguments& a) {
   if (!a.png.empty()) job.png = a.png;
   job.exposure = a.exposure;
   job.device = a.device;
+  job.precision = a.precision == "relaxed" ? Precision::relaxed : Precision::exact;
   job.memory = bytes_of(a.memory);
   return job;
 }
@@ -182,6 +183,12 @@ void add_shade(CLI::App& command, Action& action) {
   add_output_options(command, *a);
   command.add_option("--device", a->device,
                      "cpu, gpu, twin (C++, no OpenCL), an index, or part of a platform's or device's name; default: the best there is");
+  command
+      .add_option(
+          "--precision", a->precision,
+          "exact: every device rounds alike; relaxed: what the driver's compiler makes faster, with an error of some 1e-5 (docs/portability.md)")
+      ->check(CLI::IsMember({"exact", "relaxed"}))
+      ->capture_default_str();
   command.add_option("--memory", a->memory, "for the planes of the bands in flight: decoded, shaded and encoded at the same time")
       ->capture_default_str();
   command.footer(

@@ -54,7 +54,7 @@ std::vector<DeviceInfo> list_devices() {
   return infos;
 }
 
-std::unique_ptr<Device> open_device(const std::string& selector, int lanes) {
+std::unique_ptr<Device> open_device(const std::string& selector, int lanes, Precision precision) {
   if (selector == "twin") return open_twin(lanes);
   const std::vector<cl::Device> devices = opencl_devices();
   std::vector<DeviceInfo> infos;
@@ -66,6 +66,8 @@ std::unique_ptr<Device> open_device(const std::string& selector, int lanes) {
   DeviceInfo info = infos[chosen];
   info.index = chosen;
   if (lanes > 0) info.lanes = lanes;
+  info.precision = precision;
+  if (precision == Precision::relaxed) info.correctly_rounded = false;
   return open_opencl_device(devices[chosen], info);
 }
 

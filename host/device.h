@@ -14,13 +14,18 @@
 
 namespace relume {
 
+/// How a device may compute: as written, or with what its compiler makes of leave to contract, reorder and approximate (docs/portability.md has the
+/// errors). NaN and infinities keep their meaning.
+enum class Precision { exact, relaxed };
+
 struct DeviceInfo {
   std::string name;      ///< "pthread-skylake-avx512-AMD EPYC", "twin"
   std::string platform;  ///< "Portable Computing Language"
   std::string vendor, version, driver;
   bool is_cpu = false, is_gpu = false;
-  int lanes = 1;                     ///< RELUME_LANES its kernels are built with
-  bool correctly_rounded = false;    ///< divide and square root round correctly: results equal the twin's bit for bit
+  int lanes = 1;                   ///< RELUME_LANES its kernels are built with
+  bool correctly_rounded = false;  ///< divide and square root round correctly: results equal the twin's bit for bit
+  Precision precision = Precision::exact;
   std::uint64_t memory = 0;          ///< bytes
   std::uint64_t max_allocation = 0;  ///< bytes in one buffer
   int index = -1;                    ///< position in list_devices()
@@ -66,7 +71,7 @@ class Device {
 std::vector<DeviceInfo> list_devices();
 
 /// `selector`: empty (the best there is: GPU, else CPU, else the twin), "cpu", "gpu", "twin", an index, or part of a platform's or device's name.
-/// `lanes`: 0 for the device's own. Throws Error{device} that lists what was found.
-std::unique_ptr<Device> open_device(const std::string& selector, int lanes = 0);
+/// `lanes`: 0 for the device's own. The twin is always exact. Throws Error{device} that lists what was found.
+std::unique_ptr<Device> open_device(const std::string& selector, int lanes = 0, Precision precision = Precision::exact);
 
 }  // namespace relume

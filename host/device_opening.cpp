@@ -8,9 +8,9 @@
 
 namespace relume {
 
-DeviceOpening::DeviceOpening(const std::string& selector) : selector_(selector) {
+DeviceOpening::DeviceOpening(const std::string& selector, Precision precision) : selector_(selector) {
   prepare_driver_environment();  // sets variables: not while another thread may read some
-  device_ = std::async(std::launch::async, [selector] { return open_device(selector); });
+  device_ = std::async(std::launch::async, [selector, precision] { return open_device(selector, 0, precision); });
 }
 
 std::unique_ptr<Device> DeviceOpening::tested(const std::vector<Choice>& programs, std::vector<std::string>& notes) try {

@@ -13,7 +13,7 @@ namespace relume {
 class DeviceOpening {
  public:
   /// Begins to open the device that `selector` means (host/device.h).
-  explicit DeviceOpening(const std::string& selector);
+  explicit DeviceOpening(const std::string& selector, Precision precision = Precision::exact);
 
   /// The device, once it is open and has passed the self-test of every program. Where none was asked for and none is to be had, the C++ twin, and a
   /// sentence in `notes`. Throws Error{device}.

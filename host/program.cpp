@@ -143,6 +143,8 @@ std::string build_options(const DeviceInfo& device, const Choice& choice) {
           << " -DRELUME_SPECULAR=" << names.specular << " -DRELUME_FRESNEL=" << names.fresnel << " -DRELUME_SHADOWING=" << names.shadowing
           << " -DRELUME_DISTRIBUTION=" << names.distribution;
   if (device.correctly_rounded) options << " -cl-fp32-correctly-rounded-divide-sqrt";
+  // Not -cl-fast-relaxed-math: it assumes that NaN never comes, and pixels without a normal turn bright or black at random.
+  if (device.precision == Precision::relaxed) options << " -cl-mad-enable -cl-no-signed-zeros -cl-unsafe-math-optimizations -DRELUME_RELAXED";
   return options.str();
 }
 

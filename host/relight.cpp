@@ -112,7 +112,7 @@ void Relight::understand_all() {
   progress("read", 0);
   std::vector<Rig> rigs = read_rigs(job_.rigs, job_.rig_options, convention_of(file_, job_.reading).name);
   file_.leave_room(driver_bytes);
-  opening_.emplace(job_.device);
+  opening_.emplace(job_.device, job_.precision);
   reading_ = understand_with_rigs(file_, job_.reading, rigs);
   rig_ = merge(std::move(rigs));
   if (!job_.mend_edges) reading_.filtered = reading_.position_premultiplied = false;
@@ -152,6 +152,8 @@ void Relight::open() {
   progress("compile", 0);
   device_ = opening_->tested(binding_->programs(), summary_.notes);
   summary_.device = device_->info().name;
+  if (device_->info().precision == Precision::relaxed)
+    note("relaxed precision: the picture differs from the exact one in rounding (docs/portability.md)");
   layout_ = layout_of(job_, *lights_);
   shading_.emplace(*device_, *binding_, *lights_, layout_, reading_);
   watch_.lap("compile");

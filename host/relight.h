@@ -12,6 +12,7 @@
 
 #include "gbuffer/reading.h"
 #include "gbuffer/write_exr.h"
+#include "host/device.h"
 #include "host/materials.h"
 #include "host/rig.h"
 
@@ -31,6 +32,7 @@ struct RelightJob {
   std::optional<std::filesystem::path> png;
   double exposure = 0;                          ///< stops, of the PNG alone
   std::string device;                           ///< empty: the best, falling back to the twin with a note
+  Precision precision = Precision::exact;
   std::int64_t memory = std::int64_t(2) << 30;  ///< bytes for the planes of all bands in flight
 };
 

@@ -4,7 +4,7 @@
 // as many ints, `mask` what a comparison of reals gives. The contract that makes PoCL and C++ agree to the last bit:
 //   1. exact operations only: + - * / comparisons, square_root, whole_below, and fused (a b + c rounded once), where it is written; no dot,
 //      normalize, exp, pow, native_*: our own are in vector.h and math.h, spelt out so that both compilers round alike;
-//   2. contraction is off in both (the pragma below; -ffp-contract=off for the library);
+//   2. contraction is off in both (the pragma below, unless --precision relaxed; -ffp-contract=off for the library);
 //   3. what crosses to the host is int and float in the structs of frame.h, never a vector type;
 //   4. choice is by `choose`, not by branches, wherever lanes may differ.
 #ifndef RELUME_LANGUAGE_H
@@ -15,7 +15,11 @@
 #endif
 
 #ifdef RELUME_OPENCL
+#ifdef RELUME_RELAXED
+#pragma OPENCL FP_CONTRACT ON
+#else
 #pragma OPENCL FP_CONTRACT OFF
+#endif
 
 #if RELUME_LANES == 1
 #define RELUME_FN static inline

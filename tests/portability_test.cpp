@@ -41,7 +41,7 @@ struct Measurement {
 Measurement measurement_of(const Driver& driver, int programs, int lanes) {
   Measurement m;
   m.run = run_under(driver, {own_program, "--measure", is_long ? "all" : "default", std::to_string(programs), std::to_string(lanes),
-                             std::to_string(driver.pixels)});
+                             std::to_string(driver.pixels), driver.precision});
   std::istringstream lines(m.run.out);
   for (std::string line; std::getline(lines, line);) {
     json parsed = json::parse(line, nullptr, false);
@@ -103,12 +103,14 @@ class Portability : public ::testing::Test {
   static void SetUpTestSuite() {
     folder = new TemporaryFolder;
     fs::create_directories(*folder / "simulated");
-    drivers = {pocl(), intel(), rusticl(), oclgrind(*folder / "oclgrind.log", *folder / "simulated", is_long ? 130 : 20)};
+    drivers = {pocl(),          intel(),         rusticl(), oclgrind(*folder / "oclgrind.log", *folder / "simulated", is_long ? 130 : 20),
+               relaxed(pocl()), relaxed(intel())};
     for (Driver& driver : drivers) {
       const bool simulated = driver.name == "Oclgrind";
       if (is_long && !simulated) driver.settings.push_back("XDG_CACHE_HOME=" + folder->path().string());
       if (!why_not(driver).empty()) continue;
-      start(driver, simulated ? 2 : 999, 0);
+      const bool few = !is_long && driver.precision == std::string("relaxed");
+      start(driver, simulated ? 2 : few ? 6 : 999, 0);
       if (driver.one_lane_too) start(driver, is_long ? 999 : 3, 1);
     }
     std::printf(
@@ -161,6 +163,11 @@ TEST_F(Portability, Rusticl) {
   check_driver("rusticl");
 }
 
+TEST_F(Portability, Relaxed) {
+  for (const char* name : {"PoCL, relaxed", "Intel, relaxed"})
+    if (is_there(driver_named(name))) check_driver(name);
+}
+
 TEST_F(Portability, OclgrindFindsNoBadAccessAndNoRace) {
   if (!is_there(driver_named("Oclgrind"))) GTEST_SKIP() << "it comes with Debian's oclgrind";
   check_driver("Oclgrind");
@@ -197,7 +204,7 @@ Frames frames_under(const Driver& driver, const TemporaryFolder& folder) {
   for (const char* name : references) {
     const fs::path from = fs::path(RELUME_SOURCE) / "tests/data/corpus/mitsuba" / name, out = folder / (driver.name + name + ".exr");
     const ProgramRun run = run_under(driver, {RELUME_PROGRAM, "shade", from / "gbuffer.exr", "--lights", from / "rig.json", "--materials",
-                                              from / "materials.json", "--device", "0", "-o", out, "--quiet"});
+                                              from / "materials.json", "--device", "0", "-o", out, "--precision", driver.precision, "--quiet"});
     if (run.code != 0) return {{}, std::string(name) + ": " + run.err};
     frames.db.push_back(compare_images(out, from / "reference.exr").layers.front().psnr);
   }
@@ -226,7 +233,7 @@ TEST_F(Portability, FramesMatchTheRenderer) {
 /// `relume devices` under each driver names it and gives a verdict on it.
 TEST_F(Portability, DevicesSaysThatEachPasses) {
   for (const Driver& driver : drivers) {
-    if (!why_not(driver).empty()) continue;
+    if (!why_not(driver).empty() || driver.precision == std::string("relaxed")) continue;
     const ProgramRun run = run_under(driver, {RELUME_PROGRAM, "devices", "--json"});
     ASSERT_EQ(run.code, 0) << driver.name << ": " << run.err;
     const json devices = json::parse(run.out);
@@ -238,10 +245,11 @@ TEST_F(Portability, DevicesSaysThatEachPasses) {
 }  // namespace
 }  // namespace relume
 
-/// --measure all|default PROGRAMS LANES PIXELS: the child's half (tests/drivers/measure.h).
+/// --measure all|default PROGRAMS LANES PIXELS exact|relaxed: the child's half (tests/drivers/measure.h).
 int main(int argc, char** argv) {
-  if (argc == 6 && std::string(argv[1]) == "--measure") {
-    relume::measure(std::string(argv[2]) == "all", std::size_t(std::atoi(argv[3])), std::atoi(argv[4]), std::atoi(argv[5]));
+  if (argc == 7 && std::string(argv[1]) == "--measure") {
+    relume::measure(std::string(argv[2]) == "all", std::size_t(std::atoi(argv[3])), std::atoi(argv[4]), std::atoi(argv[5]),
+                    std::string(argv[6]) == "relaxed" ? relume::Precision::relaxed : relume::Precision::exact);
     return 0;
   }
   if (argc == 2 && std::string(argv[1]) == "--overrun") {

@@ -102,10 +102,10 @@ inline nlohmann::json measured(Device& device, const NamedChoice& program, int p
 }
 
 /// A line for the device and one for each program, the last `at_most` of them. Errors are lines too: the parent fails on them.
-inline void measure(bool all_terms, std::size_t at_most, int lanes, int pixels) {
+inline void measure(bool all_terms, std::size_t at_most, int lanes, int pixels, Precision precision) {
   const auto print = [](const nlohmann::json& line) { std::cout << line.dump() << std::endl; };
   try {
-    const std::unique_ptr<Device> device = open_device("0", lanes);
+    const std::unique_ptr<Device> device = open_device("0", lanes, precision);
     const DeviceInfo& info = device->info();
     print({{"device", info.name}, {"driver", info.driver}, {"lanes", info.lanes}});
     std::vector<NamedChoice> programs = programs_of_all_lobes(all_terms);
