@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <numbers>
 
 #include "lab/cubature.h"
@@ -34,6 +35,35 @@ std::vector<Rectangle> rectangles_around_mirror(double cos_view) {
   return all;
 }
 
+/// Cut where axis is `at`.
+std::vector<Rectangle> cut(const std::vector<Rectangle>& all, int axis, double at) {
+  std::vector<Rectangle> parts;
+  for (Rectangle r : all) {
+    if (r.low[axis] < at && at < r.high[axis]) {
+      parts.push_back(r);
+      parts.back().high[axis] = r.low[axis] = at;
+    }
+    parts.push_back(r);
+  }
+  return parts;
+}
+
+/// In pieces of at most pi/8: in a larger one a lobe's edge (where R_v.l = 0, say) may cut off a corner that no point sees.
+std::vector<Rectangle> in_pieces(const std::vector<Rectangle>& all) {
+  std::vector<Rectangle> pieces;
+  for (const Rectangle& r : all) {
+    const glm::dvec2 size = r.high - r.low, count = glm::ceil(size / (pi / 8));
+    for (int i = 0; i < count.x; ++i)
+      for (int j = 0; j < count.y; ++j) pieces.push_back({r.low + size * glm::dvec2(i, j) / count, r.low + size * glm::dvec2(i + 1, j + 1) / count});
+  }
+  return pieces;
+}
+
+/// Oren-Nayar's lobes have an edge where l is as steep as v, and another at right angles to its plane.
+std::vector<Rectangle> domain_of(double cos_view) {
+  return in_pieces(cut(cut(rectangles_around_mirror(cos_view), 0, std::acos(std::min(cos_view, 1.0))), 1, pi / 2));
+}
+
 DirectionPair pair_at(double cos_view, const glm::dvec2& angles) {
   const double sine = std::sin(angles.x);
   return {{-sine * std::cos(angles.y), sine * std::sin(angles.y), std::cos(angles.x)}, {std::sqrt(1 - cos_view * cos_view), 0, cos_view}};
@@ -43,7 +73,7 @@ DirectionPair pair_at(double cos_view, const glm::dvec2& angles) {
 
 std::vector<LobeAlbedos> directional_albedos(const ReflectanceOf& reflectance, std::span<const double> cos_views, double tolerance) {
   std::vector<std::vector<Rectangle>> domains;
-  for (const double cos_view : cos_views) domains.push_back(rectangles_around_mirror(cos_view));
+  for (const double cos_view : cos_views) domains.push_back(domain_of(cos_view));
   const Integrand integrand = [&](std::span<const CubaturePoint> points) {
     std::vector<DirectionPair> pairs;
     pairs.reserve(points.size());

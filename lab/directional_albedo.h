@@ -12,7 +12,7 @@ namespace relume {
 
 struct Albedo {
   glm::dvec3 value;
-  glm::dvec3 error;  ///< a bound, from two rules of cubature: in practice many times the error
+  glm::dvec3 error;  ///< how far two rules of cubature are apart: as a rule many times the error of the better one, which gave the value
 };
 
 /// Of each half of a BRDF.
@@ -24,7 +24,7 @@ struct LobeAlbedos {
 /// f_r n.l for many pairs of directions: a Brdf's, or what takes its place. Mirror-symmetric about the plane of n and v, as every isotropic BRDF is.
 using ReflectanceOf = std::function<std::vector<Reflectance>(std::span<const DirectionPair>)>;
 
-/// `cos_view` in 0 < n.v <= 1. The error is at most `tolerance`, but for what single precision leaves: some 3e-7 of the value.
+/// `cos_view` in 0 < n.v <= 1; `tolerance` for the error. What single precision leaves, some 3e-7 of the value, comes on top.
 Albedo directional_albedo(const Brdf& brdf, double cos_view, double tolerance = 1e-6);
 
 /// Of many directions to the viewer at once, which is faster: the device is asked for more pairs at a time.
