@@ -54,7 +54,7 @@ class Band {
   virtual ~Band() = default;
   /// Shades the pixels whose program plane holds frame.program, with the lobes of `choice`.
   virtual void shade(const Choice& choice, const Frame& frame, const Progress& progress) = 0;
-  /// Runs another kernel over all pixels of the frame: tabulated cosines (kernels/evaluate.h), directions (kernels/directions.h).
+  /// Runs another kernel over all pixels of the frame: tabulated cosines (kernels/evaluate.h, kernels/terms.h), directions (kernels/directions.h).
   virtual void run(Entry entry, const Choice& choice, const Frame& frame) = 0;
   /// Makes the results visible in BandData::out.
   virtual void finish() = 0;

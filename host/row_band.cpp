@@ -33,7 +33,7 @@ void RowBand::add_parameter(const std::string& name, std::span<const std::vector
   }
 }
 
-Planes RowBand::evaluate(Device& device, const Binding& binding) {
+Planes RowBand::run(Device& device, const Binding& binding, Entry entry, const Choice& choice) {
   Frame frame{};
   frame.pixels = int(gbuffer_.window.pixels());
   frame.plane_stride = int(gbuffer_.planes.stride());
@@ -47,9 +47,21 @@ Planes RowBand::evaluate(Device& device, const Binding& binding) {
   out.add(6);
   frame.out_stride = int(out.stride());
   const auto band = device.bind({&gbuffer_.planes, {}, {}, binding.tables(), &out});
-  band->run(Entry::evaluate, binding.programs().front(), frame);
+  band->run(entry, choice, frame);
   band->finish();
   return out;
+}
+
+Planes RowBand::evaluate(Device& device, const Binding& binding) {
+  return run(device, binding, Entry::evaluate, binding.programs().front());
+}
+
+Planes RowBand::terms(Device& device, const Binding& binding, int distribution) {
+  Choice choice = binding.programs().front();
+  choice.diffuse = DIFFUSE_none;  // lobes are not asked: without them a program is small
+  choice.specular = SPECULAR_none;
+  choice.distribution = distribution;
+  return run(device, binding, Entry::terms, choice);
 }
 
 }  // namespace relume

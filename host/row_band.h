@@ -27,8 +27,12 @@ class RowBand {
 
   /// f_r n.l of every row: planes 0..2 the diffuse lobe, 3..5 the specular one.
   Planes evaluate(Device& device, const Binding& binding);
+  /// Of every row: plane 0 D of this distribution, 1 G and 3..5 F of the binding's terms (kernels/terms.h).
+  Planes terms(Device& device, const Binding& binding, int distribution);
 
  private:
+  Planes run(Device& device, const Binding& binding, Entry entry, const Choice& choice);
+
   GBuffer gbuffer_;
   Reading reading_;
 };

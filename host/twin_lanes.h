@@ -16,6 +16,7 @@ namespace RELUME_TWIN_JOIN(lanes, RELUME_LANES) {
 #include "kernels/directions.h"
 #include "kernels/evaluate.h"
 #include "kernels/shade.h"
+#include "kernels/terms.h"
   }  // namespace
 
 #define RELUME_RANGE(name)                                                                                                                           \

@@ -10,7 +10,6 @@
 #include "host/self_test.h"
 
 namespace relume {
-namespace {
 
 /// From the vectors, so that nothing cancels near the mirror direction, where sharp lobes live (DESIGN.md, "Shading in three cosines").
 PreciseCosines cosines_of(const DirectionPair& pair) {
@@ -27,6 +26,8 @@ PreciseCosines cosines_of(const DirectionPair& pair) {
   c.r_l = 1 - c.chord2 / 2;
   return c;
 }
+
+namespace {
 
 constexpr std::size_t rows_at_once = 1 << 18;  // some 60 MB of planes
 

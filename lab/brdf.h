@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/binding.h"
+#include "host/cosines.h"
 #include "host/device.h"
 
 namespace relume {
@@ -23,6 +24,9 @@ struct Reflectance {
   glm::dvec3 total() const { return diffuse + specular; }
 };
 
+/// What the kernels need of a pair.
+PreciseCosines cosines_of(const DirectionPair& pair);
+
 /// A device that has passed its self-test. `selector` as for open_device; where there is no OpenCL device, the twin.
 std::shared_ptr<Device> lab_device(const std::string& selector);
 
@@ -33,6 +37,7 @@ class Brdf {
 
   std::vector<Reflectance> reflectance(std::span<const DirectionPair> pairs) const;
 
+  const Binding& binding() const { return *binding_; }
   const std::string& name() const { return name_; }
   const Material& material() const { return material_; }
 
