@@ -29,7 +29,7 @@ const std::array<glm::dvec2, 17> kPlaces{{{0, 0},
 /// Of the centre, then of each four places.
 constexpr std::array kDegree7{-3816.0 / 19683, 980.0 / 6561, 1020.0 / 19683, 200.0 / 19683, 6859.0 / 78732};
 constexpr std::array kDegree5{-971.0 / 729, 245.0 / 486, 65.0 / 1458, 25.0 / 729, 0.0};
-constexpr std::size_t most_points = 1 << 22;
+constexpr std::size_t most_points = 1 << 18;
 
 struct Cell {
   std::size_t integral;

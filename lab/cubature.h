@@ -31,7 +31,7 @@ struct Integral {
 };
 
 /// One integral for each of `domains`, a set of rectangles which shows every peak. The integrand is asked for many points at a time; rectangles are
-/// halved until the error of each integral is below `tolerance`, or 2^22 points have been asked for.
+/// halved until the error of each integral is below `tolerance`, or 2^18 points have been asked for.
 std::vector<Integral> integrate(std::span<const std::vector<Rectangle>> domains, const Integrand& integrand, double tolerance);
 
 }  // namespace relume

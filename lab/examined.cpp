@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
+#include "gbuffer/error.h"
 #include "host/materials.h"
 
 namespace relume {
@@ -72,7 +74,7 @@ std::vector<Setting> numbers_tried(const std::vector<const Parameter*>& numbers)
   for (const Parameter* p : numbers) highest.push_back(assigned(p->name, p->highest));
   for (const Setting& start : {Setting{}, highest})
     for (const Parameter* p : numbers)
-      for (const double share : {0.0, 1e-4, 0.02, 0.25, 0.5, 1.0})
+      for (const double share : {0.0, 1e-4, 0.02, 0.1, 0.25, 0.5, 1.0})
         if (!p->is_switch || share == 0 || share == 1)
           all.push_back(with_others(start, {assigned(p->name, p->lowest + share * (p->highest - p->lowest))}));
   for (unsigned corner = 0; corner < 1u << numbers.size(); ++corner) {
@@ -84,23 +86,52 @@ std::vector<Setting> numbers_tried(const std::vector<const Parameter*>& numbers)
   return all;
 }
 
+/// Error{input} where what the user has fixed does not go with the lobe or these terms.
+void check_fixed(const Lobe& lobe, const Setting& terms, const Setting& fixed) {
+  Material material;
+  material.diffuse = lobe.diffuse ? std::string(lobe.name) : "none";
+  material.specular = lobe.diffuse ? "none" : std::string(lobe.name);
+  for (const std::string& assignment : with_others(terms, fixed)) set_parameter(material, assignment);
+  check(material, std::string(lobe.name));
+}
+
+bool is_fixed(const Setting& fixed, const Parameter& p) {
+  return !value_in(fixed, std::string(p.name)).empty() || (p.name == "alpha" && !value_in(fixed, "roughness").empty());
+}
+
+/// With the terms of one choice.
+std::vector<Setting> grid_with(const Lobe& lobe, const Setting& terms, const Setting& fixed) {
+  const std::vector<const Parameter*> parameters = parameters_of(lobe, terms);
+  std::vector<const Parameter*> numbers;
+  for (const Parameter* p : parameters)
+    if (!is_reflectance(*p) && !is_fixed(fixed, *p)) numbers.push_back(p);
+  const Setting base = with_others(white(parameters, lobe.diffuse), terms);
+  std::vector<Setting> grid;
+  for (const Setting& tried : numbers_tried(numbers)) grid.push_back(with_others(with_others(base, tried), fixed));
+  return grid;
+}
+
+/// Whether the choice of terms is what the user has fixed.
+bool agrees(const Setting& terms, const Setting& fixed) {
+  return std::all_of(terms.begin(), terms.end(), [&](const std::string& term) {
+    const std::string wanted = value_in(fixed, name_in(term));
+    return wanted.empty() || wanted == value_in(terms, name_in(term));
+  });
+}
+
 std::vector<Setting> grid_of(const Lobe& lobe, const Setting& fixed) {
   std::vector<Setting> grid;
-  for (const Setting& terms : terms_of_lobe(lobe)) {
-    const bool chosen = std::all_of(terms.begin(), terms.end(), [&](const std::string& term) {
-      const std::string wanted = value_in(fixed, name_in(term));
-      return wanted.empty() || term == name_in(term) + "=" + wanted;
-    });
-    if (!chosen) continue;
-    const std::vector<const Parameter*> parameters = parameters_of(lobe, terms);
-    std::vector<const Parameter*> numbers;
-    for (const Parameter* p : parameters) {
-      const bool is_fixed = !value_in(fixed, std::string(p->name)).empty() || (p->name == "alpha" && !value_in(fixed, "roughness").empty());
-      if (!is_reflectance(*p) && !is_fixed) numbers.push_back(p);
+  std::exception_ptr refusal;
+  for (const Setting& terms : terms_of_lobe(lobe)) try {
+      if (!agrees(terms, fixed)) continue;
+      check_fixed(lobe, terms, fixed);
+      const std::vector<Setting> more = grid_with(lobe, terms, fixed);
+      grid.insert(grid.end(), more.begin(), more.end());
+    } catch (const Error&) {
+      refusal = std::current_exception();
     }
-    const Setting base = with_others(white(parameters, lobe.diffuse), terms);
-    for (const Setting& tried : numbers_tried(numbers)) grid.push_back(with_others(with_others(base, tried), fixed));
-  }
+  if (grid.empty() && !refusal) check_fixed(lobe, {}, fixed);  // a term that the lobe does not have
+  if (grid.empty()) std::rethrow_exception(refusal);
   std::sort(grid.begin(), grid.end());
   grid.erase(std::unique(grid.begin(), grid.end()), grid.end());
   return grid;
@@ -139,9 +170,12 @@ Examined examined(const Lobe& lobe, const Setting& fixed, std::shared_ptr<Device
   Examined e{name, lobe.diffuse, {}, {}, grid_of(lobe, fixed), {}, {}, {}};
   e.parameters.assign(lobe.parameters.begin(), lobe.parameters.end());
   e.claims.assign(lobe.claims.begin(), lobe.claims.end());
+  // Some lobes' tables take 20 ms to make, and each law asks again.
+  const auto made = std::make_shared<std::map<Setting, std::shared_ptr<Brdf>>>();
   e.with = [=](const Setting& set) -> ReflectanceOf {
-    const auto brdf = std::make_shared<Brdf>(lobe.diffuse ? name + "+none" : "none+" + name, set, device);
-    return [brdf](std::span<const DirectionPair> pairs) { return brdf->reflectance(pairs); };
+    std::shared_ptr<Brdf>& brdf = (*made)[set];
+    if (!brdf) brdf = std::make_shared<Brdf>(lobe.diffuse ? name + "+none" : "none+" + name, set, device);
+    return [brdf = brdf](std::span<const DirectionPair> pairs) { return brdf->reflectance(pairs); };
   };
   e.terms = [=](const std::string& distribution, const Setting& set) { return terms_of(distribution, set, device); };
   return e;

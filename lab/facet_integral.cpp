@@ -1,4 +1,5 @@
-// projected_area: Gauss-Legendre on panels of the polar angle that double from a tenth of the narrowest lobe's width; all is symmetric about n.
+// projected_area: Gauss-Legendre on panels of the polar angle that grow by a quarter from a tenth of the narrowest lobe's width; all is symmetric
+// about n.
 #include "lab/facet_integral.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ double projected_area(const FacetValues& values) {
   const Quadrature rule = gauss_legendre(16);
   std::vector<DirectionPair> pairs;
   std::vector<double> weights;
-  for (double from = 0, to = 1e-5; from < std::numbers::pi / 2; from = to, to = std::min(2 * to, std::numbers::pi / 2))
+  for (double from = 0, to = 1e-5; from < std::numbers::pi / 2; from = to, to = std::min(1.25 * to, std::numbers::pi / 2))
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
       const double angle = from + (to - from) * rule.nodes[i];
       const glm::dvec3 h{std::sin(angle), 0, std::cos(angle)};

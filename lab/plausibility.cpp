@@ -34,8 +34,9 @@ const Law& law_named(const std::string& name) {
 /// Asked of every lobe, whatever it claims.
 constexpr std::array always{"positive", "reciprocal", "conserving"};
 
-/// Walter's fit to Smith's function is up to 0.35 % from it, and so is what it leaves visible.
+/// Beckmann's G1 is Walter's fit to Smith's function: up to 0.35 % from it, and up to 1.3e-4 above 1 where it is cut off.
 double furnace_limit(std::string_view distribution) { return distribution == "beckmann" ? 4e-3 : 2e-6; }
+double bounded_limit(std::string_view distribution, bool smith) { return distribution == "beckmann" && smith ? 1.5e-4 : 1e-6; }
 
 }  // namespace
 
@@ -90,7 +91,8 @@ std::vector<Finding> findings_of_terms(std::shared_ptr<Device> device) {
       const std::string shadowed = subject + " " + std::string(g.name);
       const bool smith = g.name != "v_groove";
       const TermsWith terms = with({"shadowing=" + std::string(g.name)});
-      add(shadowed, "bounded", 1e-6, "how far G is outside 0..1, above one of its parts, or from 1 straight on", shadowing_bounded(terms, smith));
+      add(shadowed, "bounded", bounded_limit(d.name, smith), "how far G is outside 0..1, above one of its parts, or from 1 straight on",
+          shadowing_bounded(terms, smith));
       if (smith) add(shadowed, "weak furnace", furnace_limit(d.name), "how far visible facets' area is from the surface's", weak_furnace(terms));
     }
   }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include "lab/cubature.h"
 #include "lab/direction_pairs.h"
 #include "lab/facet_integral.h"
 
@@ -16,33 +15,12 @@ constexpr std::array widths{"0.0001", "0.001", "0.01", "0.05", "0.25", "0.5", "1
 
 std::string width(const char* alpha) { return std::string("alpha=") + alpha; }
 
-/// Polar angle and azimuth of h, halved: rectangles that grow by threes from the narrowest distribution, cut at right angles to v.
-std::vector<Rectangle> facets() {
-  std::vector<Rectangle> all;
-  for (double from = 0, to = 1e-4; from < pi / 2; from = to, to = std::min(3 * to, pi / 2))
-    for (const double side : {0.0, pi / 2}) all.push_back({{from, side}, {to, side + pi / 2}});
-  return all;
-}
-
-/// The integral of D(h) max(v.h, 0) over the hemisphere.
-double visible_area_unmasked(const TermsOf& terms, const glm::dvec3& v) {
-  const Integrand integrand = [&](std::span<const CubaturePoint> points) {
-    std::vector<DirectionPair> pairs;
-    for (const CubaturePoint& point : points) {
-      const double sine = std::sin(point.at.x);
-      const glm::dvec3 h{sine * std::cos(point.at.y), sine * std::sin(point.at.y), std::cos(point.at.x)};
-      pairs.push_back({h, h});
-    }
-    const std::vector<TermValues> values = terms(pairs);
-    std::vector<Values> weighted(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const glm::dvec3& h = pairs[i].l;
-      weighted[i][0] = 2 * std::sin(points[i].at.x) * values[i].d * std::max(0.0, v.x * h.x + v.z * h.z);
-    }
-    return weighted;
-  };
-  const std::vector<std::vector<Rectangle>> domains{facets()};
-  return integrate(domains, integrand, 1e-7 * v.z).front().value[0];
+/// The integral of max(v.h, 0) over the azimuth of h, of a + b cos.
+double visible_ring(const glm::dvec3& v, const glm::dvec3& h) {
+  const double a = v.z * h.z, b = std::sqrt((1 - v.z * v.z) * (1 - h.z * h.z));
+  if (a >= b) return 2 * pi * a;
+  const double edge = std::acos(-a / b);
+  return 2 * (a * edge + b * std::sin(edge));
 }
 
 }  // namespace
@@ -90,7 +68,15 @@ Deviation weak_furnace(const TermsWith& terms) {
       const glm::dvec3 v = direction_at(std::cos(angle * pi / 180), 0);
       const DirectionPair along_normal{{0, 0, 1}, v};
       const TermsOf at = terms({width(alpha)});
-      const double masked = at(std::span(&along_normal, 1)).front().g * visible_area_unmasked(at, v) / v.z;
+      const double visible = projected_area([&](std::span<const DirectionPair> pairs) {
+        std::vector<double> values;
+        for (const TermValues& value : at(pairs)) {
+          const glm::dvec3& h = pairs[values.size()].l;
+          values.push_back(value.d * visible_ring(v, h) / (2 * pi * h.z));
+        }
+        return values;
+      });
+      const double masked = at(std::span(&along_normal, 1)).front().g * visible / v.z;
       deviation.see(std::abs(masked - 1), width(alpha) + ", " + text_of(along_normal));
     }
   return deviation;

@@ -21,7 +21,8 @@ Deviation weak_furnace(const TermsWith& terms);
 /// How far G is outside 0..1, above a part of it (G1 of l or v for Smith's; 2 n.h n.v/v.h and its like for V-grooves), or from 1 straight on.
 Deviation shadowing_bounded(const TermsWith& terms, bool smith);
 
-/// How far F is outside 0..1, falls from normal to grazing incidence (but a conductor's, which may: Brewster's angle), or is at either end from what
+/// How far F is outside 0..1, falls from normal to grazing incidence (but conductors' and dielectrics' beyond an ior of 3.73, which
+/// may: near Brewster's angle), or is at either end from what
 /// the term's parameters say: ((ior-1)/(ior+1))^2 and 1; f0 and f90; ((eta-1)^2+k^2)/((eta+1)^2+k^2) and 1; ks.
 Deviation fresnel_bounded(const std::string& fresnel, const TermsWith& terms);
 

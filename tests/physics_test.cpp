@@ -88,7 +88,7 @@ std::vector<Sample> with_each_number(const kernel::Lobe& lobe, const Sample& bas
     samples.push_back(sample);
   };
   for (const ParameterRange& range : numbers_of(lobe))
-    for (const double share : {0.0, 1e-4, 0.02, 0.25, 0.5, 1.0}) add(range.name, range.lowest + share * (range.highest - range.lowest));
+    for (const double share : {0.0, 1e-4, 0.02, 0.1, 0.25, 0.5, 1.0}) add(range.name, range.lowest + share * (range.highest - range.lowest));
   if (lobe.parameters.find("alpha") != std::string_view::npos) add("alpha", 0);
   if (lobe.name == "plastic") {
     Sample rough = base;

@@ -20,9 +20,8 @@
   LOBE(principled, "albedo roughness metallic specular_level ior spec_tint clearcoat clearcoat_gloss", "", "", "",                                 \
        "positive reciprocal facets:ggx:smith_separable clearcoat", "Burley 2012, Physically-Based Shading at Disney, as in Mitsuba 3, principled") \
   LOBE(cycles_principled, "roughness metallic base_color specular_level ior", "", "", "multi_ggx ggx",                                             \
-       "positive facets:smith white:distribution=multi_ggx:metallic=1",                                                                            \
+       "positive facets:smith compensated:metallic=1",                                                                                             \
        "Cycles, Principled BSDF; Kulla and Conty 2017, Revisiting Physically Based Shading at Imageworks")                                         \
-  LOBE(cycles_glossy, "glossy_albedo roughness", "", "", "multi_ggx ggx beckmann", "positive facets:smith white:distribution=multi_ggx",           \
-       "Cycles, Glossy BSDF")
+  LOBE(cycles_glossy, "glossy_albedo roughness", "", "", "multi_ggx ggx beckmann", "positive facets:smith compensated", "Cycles, Glossy BSDF")
 
 #endif

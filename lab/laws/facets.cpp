@@ -33,11 +33,11 @@ Factors factors_of(const Examined& lobe, const Setting& setting, const std::vect
   return factors;
 }
 
-/// With what would hide the factors taken away.
+/// With what would hide the factors taken away; a surface of ior 1 mirrors nothing at all.
 Setting bare(const Examined& lobe, const Setting& setting) {
   Setting all = setting;
   if (!value_in(setting, "fresnel").empty()) return all;
-  for (const char* assignment : {"metallic=1", "clearcoat=0"})
+  for (const char* assignment : {"metallic=1", "clearcoat=0", "ior=1.5"})
     if (std::find(lobe.parameters.begin(), lobe.parameters.end(), std::string(assignment, std::string(assignment).find('='))) !=
         lobe.parameters.end())
       all = with_others(all, {assignment});
