@@ -18,6 +18,7 @@ using Action = std::function<int()>;
   COMMAND(list, "BRDFs, lights and conventions that Relume knows")                     \
   COMMAND(evaluate, "a table of BRDF values for a table of cosines")                   \
   COMMAND(directions, "the directions n, v, l, R_v, R_l, h of every pixel, as layers") \
+  COMMAND(plot, "figures of BRDFs: polar plots, maps, lit spheres")                    \
   COMMAND(check_brdf, "whether BRDFs keep the laws that they claim")                   \
   COMMAND(bench, "how fast devices shade, beside plain C++ and textbook kernels")
 
