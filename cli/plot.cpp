@@ -7,6 +7,7 @@
 #include "gbuffer/error.h"
 #include "gbuffer/printable.h"
 #include "gbuffer/whole_file.h"
+#include "gbuffer/write_exr.h"
 #include "lab/plots/list.h"
 
 namespace relume {
@@ -113,6 +114,21 @@ void resize(Figure& figure, const std::string& text) {
     throw Error(ErrorKind::input, "--size " + printable(text) + ": no size (WIDTHxHEIGHT, each 200 to 8192)");
 }
 
+/// The scene-linear picture behind a figure.
+void write_exr(const Plot& plot, const PlotArguments& a) {
+  if (!plot.picture) throw Error(ErrorKind::input, printable(a.output) + ": a plot of " + a.kind + " ends in .svg, .png or .pdf");
+  const Picture& p = *plot.picture;
+  const Window window{0, 0, p.width, p.height};
+  OutputFormat format;
+  format.overwrite = a.overwrite;
+  ExrWriter writer(a.output, format, Imf::Header(p.width, p.height), window, window, {"R", "G", "B"}, {});
+  std::vector<Source> sources;
+  const std::size_t pixel = 3 * sizeof(float);
+  for (int c = 0; c < 3; ++c) sources.push_back({std::string(1, "RGB"[c]), p.values.data() + c, pixel, pixel * std::size_t(p.width)});
+  writer.write_rows(p.height, sources);
+  writer.commit();
+}
+
 void write_text(const std::string& text, const std::string& file, bool overwrite) {
   WholeFile whole(file, overwrite);
   whole.write(text.data(), text.size());
@@ -125,12 +141,16 @@ int plot(const CLI::App& command, const PlotArguments& a) {
   if (a.output.empty() && a.csv.empty()) throw Error(ErrorKind::input, "plot: nothing to write (-o FILE.svg, .png or .pdf; --csv FILE)");
   Figure size;
   if (!a.size.empty()) resize(size, a.size);
-  if (!a.output.empty()) terminal_for(a.output, size);
+  const bool as_exr = std::filesystem::path(a.output).extension() == ".exr";
+  if (!a.output.empty() && !as_exr) terminal_for(a.output, size);
   PlotRequest request = request_of(command, a, kind);
   request.device = lab_device(a.device);
   Plot made = kind.make(request);
   if (!a.size.empty()) resize(made.figure, a.size);
-  if (!a.output.empty()) draw(made.figure, a.output, a.overwrite);
+  if (as_exr)
+    write_exr(made, a);
+  else if (!a.output.empty())
+    draw(made.figure, a.output, a.overwrite);
   if (!a.csv.empty()) write_text(made.csv, a.csv, a.overwrite);
   for (const std::string& remark : made.remarks) std::cout << remark << "\n";
   return 0;
@@ -156,15 +176,16 @@ void add_plot(CLI::App& command, Action& action) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command.add_option("--view", a->view, "the view direction stands at so many degrees, light moves. Default: 45");
-  command.add_option("--light", a->light, "the light direction stands at so many degrees, the viewer moves");
+  command.add_option("--light", a->light, "the light direction stands at so many degrees, the viewer moves; spheres: degrees from the viewer");
   command.add_option("--mark", a->mark, "draw a moving direction at so many degrees (positive: on the mirror direction's side), and h");
   command.add_option("--quantity", a->quantity, "f_r, or reflectance: f_r n.l. Default: f_r");
   command.add_option("--radius,--scale", a->radius, "linear, log (four decades) or cube_root: lengths, or a map's colours");
   command.add_option("--channel", a->channel, "r, g, b or luminance (BT.709, the default)");
   command.add_option("--highest", a->highest, "the value at the rim, or of the last colour. Default: the highest there is");
   command.add_option("--lobes", a->lobes, "total, diffuse, specular: several with commas are shown apart. Default: total")->delimiter(',');
+  command.add_option("--exposure", a->exposure, "stops. Default: 0")->check(CLI::Range(-30.0, 30.0));
   command.add_flag("--swap", a->swap, "also with view and light exchanged: what is reciprocal coincides");
-  command.add_option("-o,--output", a->output, "FILE.svg, .png or .pdf (made by gnuplot)");
+  command.add_option("-o,--output", a->output, "FILE.svg, .png or .pdf (made by gnuplot); of spheres also .exr, scene-linear");
   command.add_option("--csv", a->csv, "FILE for the numbers, a row for each sample");
   command.add_option("--size", a->size, "WIDTHxHEIGHT in pixels of the PNG; SVG and PDF have the same shape");
   command.add_flag("--overwrite", a->overwrite, "replace existing files");

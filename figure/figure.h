@@ -1,6 +1,7 @@
 // A figure: gnuplot's data and commands, drawn as SVG, PNG or PDF.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 
@@ -15,6 +16,9 @@ struct Figure {
 
 /// Colours that the colour-blind tell apart, fonts, borders: what every figure begins with.
 extern const char* const figure_look;
+
+/// Its colours, Okabe and Ito's, as gnuplot's rgb has them: linetypes 1 to 6.
+inline constexpr std::array figure_colours{"0072B2", "D55E00", "009E73", "CC79A7", "E69F00", "56B4E9"};
 
 /// gnuplot's `set terminal` for a file of this name. Error{input} unless it ends in .svg, .png or .pdf.
 std::string terminal_for(const std::filesystem::path& file, const Figure& figure);

@@ -58,9 +58,9 @@ class Sampler {
   /// Angles between the neighbours of a part's highest sample.
   std::vector<double> around_tip(LobePart part) const {
     const double angle = tip_of(samples_, measure_, part).angle;
-    const auto at = std::find_if(samples_.begin(), samples_.end(), [&](const PlaneSample& s) { return s.angle == angle; });
+    const auto at = std::find_if(samples_.begin(), samples_.end(), [&](const PlaneSample& s) { return s.angle >= angle; });
     std::vector<double> angles;
-    if (at == samples_.begin() || at + 1 == samples_.end()) return angles;
+    if (at == samples_.begin() || at == samples_.end() || at + 1 == samples_.end()) return angles;
     for (const auto side : {at - 1, at + 1})
       for (int k = 1; k < 8; ++k) angles.push_back(angle + (side->angle - angle) * k / 8);
     return angles;
@@ -102,10 +102,15 @@ std::vector<PlaneSample> plane_samples(const Brdf& brdf, const Arrangement& arra
 Tip tip_of(const std::vector<PlaneSample>& samples, const Measure& measure, LobePart part) {
   const auto shown = [&](const PlaneSample& s) { return measure(s.value, s.pair.l.z, part); };
   const auto highest = [&](double limit) {
-    Tip tip{0, -std::numeric_limits<double>::infinity(), true};
-    for (const PlaneSample& s : samples)
-      if (std::abs(s.angle) <= limit && shown(s) > tip.value) tip = {s.angle, shown(s), true};
-    return tip;
+    auto at = samples.end();
+    for (auto s = samples.begin(); s != samples.end(); ++s)
+      if (std::abs(s->angle) <= limit && (at == samples.end() || shown(*s) > shown(*at))) at = s;
+    // Single precision makes a plateau of a tip: its middle.
+    const double level = shown(*at) * (1 - 1e-6);
+    auto first = at, last = at;
+    while (first != samples.begin() && shown(*(first - 1)) >= level) --first;
+    while (last + 1 != samples.end() && shown(*(last + 1)) >= level) ++last;
+    return Tip{(first->angle + last->angle) / 2, shown(*at), true};
   };
   Tip tip = highest(horizon);
   // Like 1/n.l: at a tenth of the elevation ten times as much.

@@ -32,7 +32,7 @@ struct PlotRequest {
   /// What one curve or map shows: "phong, exponent = 8, specular".
   std::string label(const Subject& subject, LobePart part) const;
   /// A scale with room for `peak`, or for what was asked for.
-  Scale scale_for(double peak, ScaleKind fallback) const { return {scale.value_or(fallback), highest.value_or(peak)}; }
+  Scale scale_for(double peak, ScaleKind fallback, int decades = 4) const { return {scale.value_or(fallback), highest.value_or(peak), decades}; }
 };
 
 struct Plot {

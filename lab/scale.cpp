@@ -1,4 +1,4 @@
-// Scale: four decades where it is logarithmic, as much as a printed picture can tell apart.
+// Scale: which values stand where, and which of them are round.
 #include "lab/scale.h"
 
 #include <algorithm>
@@ -15,11 +15,11 @@ double rounded_up(double value) {
   return 10 * ten;
 }
 
-Scale::Scale(ScaleKind kind, double peak) : kind_(kind) {
+Scale::Scale(ScaleKind kind, double peak, int decades) : kind_(kind), decades_(decades) {
   const double top = peak > 0 && std::isfinite(peak) ? peak : 1;
   step_ = rounded_up(top / 5);  // four or five marks
   highest_ = kind == ScaleKind::linear ? step_ * std::ceil(top / step_ * (1 - 1e-9)) : rounded_up(top);
-  if (kind == ScaleKind::log) lowest_ = std::pow(10, std::floor(std::log10(highest_) + 1e-9) - 4);
+  if (kind == ScaleKind::log) lowest_ = std::pow(10, std::floor(std::log10(highest_) + 1e-9) - decades);
 }
 
 double Scale::operator()(double value) const {
@@ -36,7 +36,7 @@ std::vector<double> Scale::marks() const {
     marks.push_back(highest_);
     const double ten = std::pow(10, std::floor(std::log10(highest_) + 1e-9));
     constexpr double apart = 0.12;  // of the whole length: room for a label
-    for (int decade = 0; decade <= 4; ++decade)
+    for (int decade = 0; decade <= decades_; ++decade)
       for (const double digit : kind_ == ScaleKind::log ? std::vector{1.0} : std::vector{5.0, 2.0, 1.0})
         if (const double mark = digit * ten * std::pow(10, -decade); mark < highest_ && (*this)(marks.back()) - (*this)(mark) >= apart)
           marks.push_back(mark);

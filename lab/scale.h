@@ -15,8 +15,8 @@ double rounded_up(double value);
 
 class Scale {
  public:
-  /// Room for values up to `peak`; what is not above 0 counts as 1.
-  Scale(ScaleKind kind, double peak);
+  /// Room for values up to `peak`; one that is not above 0 counts as 1. A logarithmic scale has at least so many decades, as round ones.
+  Scale(ScaleKind kind, double peak, int decades = 4);
 
   /// 0 at the lowest value, 1 at highest().
   double operator()(double value) const;
@@ -27,6 +27,7 @@ class Scale {
 
  private:
   ScaleKind kind_;
+  int decades_;
   double highest_, lowest_ = 0, step_ = 0;
 };
 

@@ -6,8 +6,11 @@
 namespace relume {
 
 /// PLOT(kind, most subjects that it can tell apart, options that it takes beside those of all, summary)
-#define RELUME_PLOTS(PLOT) \
-  PLOT(polar, 12, "view light mark quantity radius channel highest lobes swap", "values in the plane of incidence, as distances from the surface")
+#define RELUME_PLOTS(PLOT)                                                                                                           \
+  PLOT(polar, 12, "view light mark quantity radius channel highest lobes swap", "values in the plane of incidence, as radii")        \
+  PLOT(hemisphere, 12, "view light mark quantity radius channel highest lobes", "values over all directions, in false colour")       \
+  PLOT(slices, 12, "quantity radius channel highest lobes", "values over theta_h and theta_d (phi_d = 90 degrees), in false colour") \
+  PLOT(spheres, 144, "light exposure", "spheres under a light, a column for each value of the first sweep")
 
 struct PlotKind {
   std::string name;

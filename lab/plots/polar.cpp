@@ -1,6 +1,7 @@
 // A polar plot: how far from the surface's point a curve is, tells how much is reflected that way, in the plane of incidence.
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <sstream>
 
 #include "gbuffer/error.h"
@@ -19,18 +20,20 @@ struct Curve {
   Tip tip;
 };
 
-constexpr int colours = 6;          // figure_look's
-constexpr std::size_t curves = 12;  // colours times two kinds of dashes
+constexpr std::size_t colours = figure_colours.size(), most_curves = 2 * colours;  // solid and dashed
 
-/// Colour by BRDF, dashes by lobe; of one lobe alone, dashes where colours begin again.
-std::string style_of(const PlotRequest& request, std::size_t subject, std::size_t part) {
+/// Colour by BRDF, dashes by lobe; of one lobe alone, dashes where colours begin again. Exchanged directions are dashes over a pale band: where both
+/// coincide, each is seen.
+std::string style_of(const PlotRequest& request, std::size_t subject, std::size_t part, bool swapped) {
+  if (swapped) return " lt " + std::to_string(subject % colours + 1) + " dt 2 lw 2.5";
+  if (request.swap) return std::string(" dt 1 lw 9 lc rgb '#99") + figure_colours[subject % colours] + "'";
   const std::size_t dashes = request.parts.size() > 1 ? part : subject / colours;
   return " lt " + std::to_string(subject % colours + 1) + " dt " + std::to_string(dashes + 1);
 }
 
 void check_count(const PlotRequest& request) {
   const bool dashes_taken = request.swap || request.parts.size() > 1;
-  const std::size_t most = dashes_taken ? colours : curves, count = request.compared.subjects.size();
+  const std::size_t most = dashes_taken ? colours : most_curves, count = request.compared.subjects.size();
   if (count > most)
     throw Error(ErrorKind::input, "plot polar: " + std::to_string(count) + " BRDFs" +
                                       (request.swap   ? " with --swap"
@@ -59,9 +62,8 @@ std::vector<Curve> curves_of(const PlotRequest& request, SampleTable& table) {
     add_rows(request, s, arrangement, samples, table);
     for (std::size_t k = 0; k < request.parts.size(); ++k) {
       const LobePart part = request.parts[k];
-      const std::string style = swapped ? " lc black dt 2 lw 1.5" : style_of(request, subject, k) + (request.swap ? " lw 6" : " lw 2");
-      all.push_back(
-          {request.label(s, part) + (swapped ? ", view and light exchanged" : ""), style, part, samples, tip_of(samples, request.measure, part)});
+      all.push_back({request.label(s, part) + (swapped ? ", view and light exchanged" : ""), style_of(request, subject, k, swapped), part, samples,
+                     tip_of(samples, request.measure, part)});
     }
   };
   for (std::size_t i = 0; i < request.compared.subjects.size(); ++i) add(i, request.arrangement, false);
@@ -69,17 +71,20 @@ std::vector<Curve> curves_of(const PlotRequest& request, SampleTable& table) {
   return all;
 }
 
-/// Points of a curve; what lies beyond the rim is left out.
+/// Points of a curve, ending at the rim where it goes beyond.
 std::string block(const std::string& name, const Curve& curve, const Measure& measure, const Scale& scale) {
   std::ostringstream text;
   text << name << " << END\n";
+  glm::dvec3 last(0);
   for (const PlaneSample& s : curve.samples) {
-    const double radius = scale(measure(s.value, s.pair.l.z, curve.part));
-    const glm::dvec3 to = in_plane(s.angle);
-    if (radius <= 1 + 1e-9)
-      text << radius * to.x << ' ' << radius * to.z << '\n';
-    else
-      text << '\n';
+    const double radius = scale(measure(s.value, s.pair.l.z, curve.part)), before = glm::length(last);
+    const glm::dvec3 point = radius * in_plane(s.angle);
+    if ((radius > 1) != (before > 1) && &s != &curve.samples.front()) {
+      const glm::dvec3 rim = last + (1 - before) / (radius - before) * (point - last);
+      text << rim.x << ' ' << rim.z << (radius > 1 ? "\n\n" : "\n");
+    }
+    if (radius <= 1) text << point.x << ' ' << point.z << '\n';
+    last = point;
   }
   text << "END\n";
   return text.str();
@@ -137,7 +142,7 @@ double peak_of(const std::vector<Curve>& all) {
 }
 
 std::string remark(const PlotRequest& request, const Curve& curve, const Scale& scale) {
-  const std::string where = "at " + nine_digits(std::round(curve.tip.angle * 100) / 100) + " degrees";
+  const std::string where = "at " + nine_digits(std::round(curve.tip.angle * 100) / 100 + 0.0) + " degrees";
   if (!curve.tip.bounded)
     return curve.label + ": f_r grows without end towards the horizon; cut at the rim, " + nine_digits(scale.highest()) + " 1/sr";
   const std::string cut = curve.tip.value > scale.highest() * (1 + 1e-9) ? "; cut at the rim, " + nine_digits(scale.highest()) : "";
