@@ -5,6 +5,11 @@ namespace relume {
 
 const char* name_of(LobePart part) { return part == LobePart::total ? "total" : part == LobePart::diffuse ? "diffuse" : "specular"; }
 
+const char* name_of(ColourChannel channel) {
+  const char* names[] = {"red", "green", "blue", "luminance"};
+  return names[int(channel)];
+}
+
 glm::dvec3 part_of(const Reflectance& value, LobePart part) {
   return part == LobePart::total ? value.total() : part == LobePart::diffuse ? value.diffuse : value.specular;
 }
@@ -28,9 +33,6 @@ double Measure::operator()(const Reflectance& value, double n_l, LobePart part) 
   return quantity == Quantity::reflectance ? reflectance : n_l > 0 ? reflectance / n_l : 0;
 }
 
-std::string Measure::title() const {
-  const char* channels[] = {", red", ", green", ", blue", ", luminance"};
-  return std::string(quantity == Quantity::f_r ? "f_r" : "f_r n·l") + channels[int(channel)] + " (1/sr)";
-}
+std::string Measure::title() const { return std::string(quantity == Quantity::f_r ? "f_r, " : "f_r n·l, ") + name_of(channel) + " (1/sr)"; }
 
 }  // namespace relume

@@ -12,6 +12,8 @@ enum class Quantity { f_r, reflectance };
 enum class ColourChannel { r, g, b, luminance };
 
 const char* name_of(LobePart part);
+/// "luminance", "red"
+const char* name_of(ColourChannel channel);
 
 /// A part's reflectance f_r n.l in colour.
 glm::dvec3 part_of(const Reflectance& value, LobePart part);

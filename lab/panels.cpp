@@ -73,7 +73,7 @@ Layout layout_of(std::size_t panels, const PanelShape& shape) {
   l.left = shape.axis_labels ? 70 : 20;
   l.gap_x = shape.axis_labels ? 70 : 20;
   l.top = 95;
-  l.gap_y = shape.axis_labels ? 90 : 50;
+  l.gap_y = shape.axis_labels ? 100 : 50;
   l.right = 140;
   l.bottom = shape.axis_labels ? 60 : 20;
   return l;

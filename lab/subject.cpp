@@ -16,19 +16,24 @@ bool contains(const Names& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-bool takes(const Lobe& lobe, const std::string& parameter) {
-  if (parameter == "shadowing") return !lobe.shadowings.empty();
-  if (parameter == "fresnel") return !lobe.fresnels.empty();
-  if (parameter == "distribution") return !lobe.distributions.empty();
-  return contains(user_parameters(lobe), parameter) || std::any_of(lobe.fresnels.begin(), lobe.fresnels.end(), [&](std::string_view name) {
-           return contains(user_parameters(term_named(fresnels(), name, "fresnel term")), parameter);
-         });
+/// Whether the lobe, with the Fresnel term that the material's settings tell, has a use for the parameter.
+bool takes(const Lobe* lobe, const Material& material, const std::string& parameter) {
+  if (!lobe) return false;
+  if (parameter == "shadowing") return !lobe->shadowings.empty();
+  if (parameter == "fresnel") return !lobe->fresnels.empty();
+  if (parameter == "distribution") return !lobe->distributions.empty();
+  const Term* fresnel = fresnel_of(material, *lobe);
+  return contains(user_parameters(*lobe), parameter) || (fresnel && contains(user_parameters(*fresnel), parameter));
 }
 
-bool takes(const Material& material, const std::string& parameter) {
+/// Leaves out what the BRDF has no use for.
+void prune(Subject& subject) {
+  Material material = material_named(subject.brdf);
+  for (const std::string& assignment : subject.assignments()) set_parameter(material, assignment);
   const Lobe* diffuse = find_lobe(true, material.diffuse);
   const Lobe* specular = find_lobe(false, material.specular);
-  return (diffuse && takes(*diffuse, parameter)) || (specular && takes(*specular, parameter));
+  std::erase_if(subject.settings,
+                [&](const Setting& s) { return !takes(diffuse, material, s.parameter) && !takes(specular, material, s.parameter); });
 }
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -54,7 +59,7 @@ Sweep sweep_of(const std::string& assignment) {
     Material any;
     if (parameter && parameter->components == 3 && std::count(value.begin(), value.end(), ',') == 1)
       throw Error(ErrorKind::input,
-                  "--set " + printable(assignment) + ": " + sweep.parameter + " is r,g,b or one number (;  separates values of a sweep)");
+                  "--set " + printable(assignment) + ": " + sweep.parameter + " is r,g,b or one number (; separates values of a sweep)");
     set_parameter(any, sweep.parameter + "=" + value);  // names and ranges, before anything is computed
   }
   return sweep;
@@ -80,9 +85,33 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
-void check_taken(const std::vector<Sweep>& sweeps, const std::vector<std::string>& brdfs) {
-  for (const Sweep& sweep : sweeps)
-    if (std::none_of(brdfs.begin(), brdfs.end(), [&](const std::string& name) { return takes(material_named(name), sweep.parameter); }))
+/// All combinations of the values, each once where some of them are of no use.
+std::vector<Subject> subjects_of(const std::string& brdf, const std::vector<Sweep>& sweeps, std::size_t most) {
+  std::vector<Subject> all{{brdf, {}}};
+  for (const Sweep& sweep : sweeps) {
+    std::vector<Subject> next;
+    for (const Subject& subject : all)
+      for (const std::string& value : sweep.values) {
+        next.push_back(subject);
+        next.back().settings.push_back({sweep.parameter, value});
+      }
+    all = std::move(next);
+    constexpr std::size_t spare = 16;  // combinations may turn out to be alike
+    if (all.size() > spare * most)
+      throw Error(ErrorKind::input, "--set: " + std::to_string(all.size()) + " combinations (too many to be told apart)");
+  }
+  std::vector<Subject> own;
+  for (Subject& subject : all) {
+    prune(subject);
+    const auto same = [&](const Subject& other) { return other.assignments() == subject.assignments(); };
+    if (std::none_of(own.begin(), own.end(), same)) own.push_back(std::move(subject));
+  }
+  return own;
+}
+
+void check_taken(const Comparison& comparison, const std::vector<std::string>& brdfs) {
+  for (const Sweep& sweep : comparison.sweeps)
+    if (std::all_of(comparison.subjects.begin(), comparison.subjects.end(), [&](const Subject& s) { return s.value(sweep.parameter).empty(); }))
       throw Error(ErrorKind::input, "--set " + sweep.parameter + ": no parameter of " + joined(brdfs) + " (relume list brdfs has each one's)");
 }
 
@@ -116,27 +145,15 @@ std::string Comparison::constants() const {
 
 Comparison compared(const std::vector<std::string>& brdfs, const std::vector<std::string>& set, std::size_t most) {
   Comparison comparison{{}, sweeps_of(set)};
-  check_taken(comparison.sweeps, brdfs);
-  for (const std::string& name : brdfs) {
-    const Material material = material_named(name);
-    std::vector<Subject> own{{name, {}}};
-    for (const Sweep& sweep : comparison.sweeps) {
-      if (!takes(material, sweep.parameter)) continue;
-      std::vector<Subject> next;
-      for (const Subject& subject : own)
-        for (const std::string& value : sweep.values) {
-          next.push_back(subject);
-          next.back().settings.push_back({sweep.parameter, value});
-        }
-      own = std::move(next);
-      if (comparison.subjects.size() + own.size() > most)
-        throw Error(ErrorKind::input, "--brdf, --set: more than " + std::to_string(most) + " of them (fewer names or values can be told apart)");
-    }
+  for (const std::string& brdf : brdfs) {
+    const std::vector<Subject> own = subjects_of(brdf, comparison.sweeps, most);
     comparison.subjects.insert(comparison.subjects.end(), own.begin(), own.end());
   }
   if (comparison.subjects.empty()) throw Error(ErrorKind::input, "--brdf: names no BRDF (relume list brdfs)");
+  check_taken(comparison, brdfs);
   if (comparison.subjects.size() > most)
-    throw Error(ErrorKind::input, "--brdf: " + std::to_string(comparison.subjects.size()) + " of them (at most " + std::to_string(most) + ")");
+    throw Error(ErrorKind::input,
+                "--brdf, --set: " + std::to_string(comparison.subjects.size()) + " of them (at most " + std::to_string(most) + " can be told apart)");
   return comparison;
 }
 

@@ -61,7 +61,7 @@ std::string marks(const PlotRequest& request) {
 
 PanelShape shape_of(const PlotRequest& request, int side) {
   PanelShape shape{side, -1, 1, -1.04, 1.04, {}, {}, {}, false};
-  shape.axes = "unset border\nunset xtics\nunset ytics\n";
+  shape.axes = "unset border\nunset xtics\nunset ytics\nset style textbox opaque noborder fillcolor rgb '#303030' margins 0.4,0.3\n";
   for (const int ring : {30, 60})
     shape.axes +=
         "set label \"" + std::to_string(ring) + "°\" at 0," + nine_digits(-radius_of(ring) - 0.04) + " center front font ',9' tc rgb '#ffffff'\n";
@@ -69,7 +69,7 @@ PanelShape shape_of(const PlotRequest& request, int side) {
   // Light over dark and dark over light: a mark is seen on any colour.
   shape.over =
       ", $rings with lines lc rgb '#a0ffffff' dt 3 lw 1, $rim with lines lc black lw 2, $directions using 1:2 with points pt 7 ps 0.9 lc black, "
-      "$directions using 1:2 with points pt 7 ps 0.5 lc rgb 'white', $directions using 1:(0.075*$3):4 with labels tc rgb 'white' font ',12'";
+      "$directions using 1:2 with points pt 7 ps 0.5 lc rgb 'white', $directions using 1:(0.1*$3):4 with labels boxed tc rgb 'white' font ',11'";
   return shape;
 }
 

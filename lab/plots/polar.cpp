@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "gbuffer/error.h"
+#include "lab/curve_style.h"
 #include "lab/plane_samples.h"
 #include "lab/plots/list.h"
 #include "lab/sample_table.h"
@@ -20,26 +21,7 @@ struct Curve {
   Tip tip;
 };
 
-constexpr std::size_t colours = figure_colours.size(), most_curves = 2 * colours;  // solid and dashed
-
-/// Colour by BRDF, dashes by lobe; of one lobe alone, dashes where colours begin again. Exchanged directions are dashes over a pale band: where both
-/// coincide, each is seen.
-std::string style_of(const PlotRequest& request, std::size_t subject, std::size_t part, bool swapped) {
-  if (swapped) return " lt " + std::to_string(subject % colours + 1) + " dt 2 lw 2.5";
-  if (request.swap) return std::string(" dt 1 lw 9 lc rgb '#99") + figure_colours[subject % colours] + "'";
-  const std::size_t dashes = request.parts.size() > 1 ? part : subject / colours;
-  return " lt " + std::to_string(subject % colours + 1) + " dt " + std::to_string(dashes + 1);
-}
-
-void check_count(const PlotRequest& request) {
-  const bool dashes_taken = request.swap || request.parts.size() > 1;
-  const std::size_t most = dashes_taken ? colours : most_curves, count = request.compared.subjects.size();
-  if (count > most)
-    throw Error(ErrorKind::input, "plot polar: " + std::to_string(count) + " BRDFs" +
-                                      (request.swap   ? " with --swap"
-                                       : dashes_taken ? " with several --lobes"
-                                                      : "") +
-                                      " (" + std::to_string(most) + " can be told apart)");
+void check_swap(const PlotRequest& request) {
   if (request.swap && request.measure.quantity == Quantity::reflectance)
     throw Error(ErrorKind::input, "--swap: compares f_r; the reflectance f_r n.l has the cosine of one side only (--quantity f_r)");
 }
@@ -62,7 +44,7 @@ std::vector<Curve> curves_of(const PlotRequest& request, SampleTable& table) {
     add_rows(request, s, arrangement, samples, table);
     for (std::size_t k = 0; k < request.parts.size(); ++k) {
       const LobePart part = request.parts[k];
-      all.push_back({request.label(s, part) + (swapped ? ", view and light exchanged" : ""), style_of(request, subject, k, swapped), part, samples,
+      all.push_back({request.label(s, part) + (swapped ? ", view and light exchanged" : ""), curve_style(request, subject, k, swapped), part, samples,
                      tip_of(samples, request.measure, part)});
     }
   };
@@ -176,7 +158,8 @@ Figure figure_of(const PlotRequest& request, const std::vector<Curve>& all, cons
 }  // namespace
 
 Plot plot_polar(const PlotRequest& request) {
-  check_count(request);
+  check_curves(request);
+  check_swap(request);
   SampleTable table(request.compared, {"view", "light"}, brdf_columns());
   const std::vector<Curve> all = curves_of(request, table);
   const Scale scale = request.scale_for(peak_of(all), ScaleKind::linear);

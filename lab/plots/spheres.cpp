@@ -50,13 +50,14 @@ Sheet sheet_of(const Comparison& compared) {
   return sheet;
 }
 
-/// Pastes a sphere over the sheet's ground, dark enough that a highlight and a shaded limb both stand out.
+constexpr float ground = 0.1f;  // radiance: dark enough that a highlight and a shaded limb both stand out
+
 void paste(const Picture& sphere, int left, int top, Picture& sheet) {
   for (int y = 0; y < sphere.height; ++y)
     for (int x = 0; x < sphere.width; ++x) {
       const float* from = sphere.values.data() + (std::size_t(y) * std::size_t(sphere.width) + std::size_t(x)) * 4;
       float* to = sheet.values.data() + (std::size_t(top + y) * std::size_t(sheet.width) + std::size_t(left + x)) * 3;
-      for (int c = 0; c < 3; ++c) to[c] = from[c] + (1 - from[3]) * to[c];
+      for (int c = 0; c < 3; ++c) to[c] = from[c] + (1 - from[3]) * ground;
     }
 }
 
@@ -147,9 +148,8 @@ Plot plot_spheres(const PlotRequest& request) {
   SphereView view;
   view.size = std::min(view.size, widest / sheet.columns());
   view.to_light = to_light(request.arrangement.angle);
-  constexpr float ground = 0.1f;
   Picture picture{sheet.columns() * view.size, sheet.rows() * view.size, 3, {}};
-  picture.values.assign(std::size_t(picture.width) * std::size_t(picture.height) * 3, ground);
+  picture.values.assign(std::size_t(picture.width) * std::size_t(picture.height) * 3, 1.0f);  // white where no sphere stands
   SampleTable table(request.compared, {"x", "y"}, {"radiance.r", "radiance.g", "radiance.b", "coverage"});
   Plot plot;
   for (std::size_t k = 0; k < request.compared.subjects.size(); ++k) {
