@@ -171,10 +171,9 @@ std::string kinds_help() {
 void add_plot(CLI::App& command, Action& action) {
   const auto a = std::make_shared<PlotArguments>();
   command.add_option("kind", a->kind, "polar (the default) or another kind, see below");
-  command.add_option("--brdf", a->brdfs, "lobes or pairs, with commas: phong,lambert+ggx (relume list brdfs)")->delimiter(',')->required();
-  command.add_option("--set", a->set, "PARAM=VALUE; several values with commas are compared (of rgb parameters with ;)")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  const auto with_commas = [](CLI::Option* option) { return option->delimiter(',')->allow_extra_args(false); };
+  with_commas(command.add_option("--brdf", a->brdfs, "lobes or pairs, with commas: phong,lambert+ggx (relume list brdfs)"))->required();
+  command.add_option("--set", a->set, "PARAM=VALUE; several values with commas are compared (of rgb parameters with ;)")->allow_extra_args(false);
   command.add_option("--view", a->view, "the view direction stands at so many degrees, light moves. Default: 45");
   command.add_option("--light", a->light, "the light direction stands at so many degrees, the viewer moves; spheres: degrees from the viewer");
   command.add_option("--mark", a->mark, "draw a moving direction at so many degrees (positive: on the mirror direction's side), and h");
@@ -182,7 +181,7 @@ void add_plot(CLI::App& command, Action& action) {
   command.add_option("--radius,--scale", a->radius, "linear, log (four decades) or cube_root: lengths, or a map's colours");
   command.add_option("--channel", a->channel, "r, g, b or luminance (BT.709, the default)");
   command.add_option("--highest", a->highest, "the value at the rim, or of the last colour. Default: the highest there is");
-  command.add_option("--lobes", a->lobes, "total, diffuse, specular: several with commas are shown apart. Default: total")->delimiter(',');
+  with_commas(command.add_option("--lobes", a->lobes, "total, diffuse, specular: several with commas are shown apart. Default: total"));
   command.add_option("--exposure", a->exposure, "stops. Default: 0")->check(CLI::Range(-30.0, 30.0));
   command.add_flag("--swap", a->swap, "also with view and light exchanged: what is reciprocal coincides");
   command.add_option("-o,--output", a->output, "FILE.svg, .png or .pdf (made by gnuplot); of spheres also .exr, scene-linear");

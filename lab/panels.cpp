@@ -6,6 +6,8 @@
 #include <limits>
 #include <sstream>
 
+#include "gbuffer/error.h"
+
 namespace relume {
 namespace {
 
@@ -100,6 +102,9 @@ std::string bar_place(const Layout& l) {
 int panel_side(std::size_t panels) { return panels == 1 ? 321 : panels <= 4 ? 241 : 181; }
 
 std::vector<Panel> panels_of(const PlotRequest& request, const PanelSamples& samples, std::string& csv) {
+  constexpr std::size_t most = 12;  // more are too small to be read
+  if (const std::size_t count = request.compared.subjects.size() * request.parts.size(); count > most)
+    throw Error(ErrorKind::input, "--brdf, --set, --lobes: " + std::to_string(count) + " maps (at most " + std::to_string(most) + ")");
   SampleTable table(request.compared, samples.columns, brdf_columns());
   std::vector<Panel> panels;
   for (const Subject& subject : request.compared.subjects) {

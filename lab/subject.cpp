@@ -23,6 +23,7 @@ bool takes(const Lobe* lobe, const Material& material, const std::string& parame
   if (parameter == "fresnel") return !lobe->fresnels.empty();
   if (parameter == "distribution") return !lobe->distributions.empty();
   const Term* fresnel = fresnel_of(material, *lobe);
+  if (parameter == "albedo" && !material.parameters.contains("metallic")) fresnel = nullptr;  // metallic mixes it in, and is 0 where it is not given
   return contains(user_parameters(*lobe), parameter) || (fresnel && contains(user_parameters(*fresnel), parameter));
 }
 
