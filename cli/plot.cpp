@@ -141,6 +141,7 @@ int plot(const CLI::App& command, const PlotArguments& a) {
   if (a.output.empty() && a.csv.empty()) throw Error(ErrorKind::input, "plot: nothing to write (-o FILE.svg, .png or .pdf; --csv FILE)");
   Figure size;
   if (!a.size.empty()) resize(size, a.size);
+  if (a.output == a.csv) throw Error(ErrorKind::input, "--csv " + printable(a.csv) + ": is the figure's file");
   const bool as_exr = std::filesystem::path(a.output).extension() == ".exr";
   if (!a.output.empty() && !as_exr) terminal_for(a.output, size);
   PlotRequest request = request_of(command, a, kind);
@@ -178,7 +179,7 @@ void add_plot(CLI::App& command, Action& action) {
   command.add_option("--light", a->light, "the light direction stands at so many degrees, the viewer moves; spheres: degrees from the viewer");
   command.add_option("--mark", a->mark, "draw a moving direction at so many degrees (positive: on the mirror direction's side), and h");
   command.add_option("--quantity", a->quantity, "f_r, or reflectance: f_r n.l. Default: f_r");
-  command.add_option("--radius,--scale", a->radius, "linear, log (four decades) or cube_root: lengths, or a map's colours");
+  command.add_option("--radius,--scale", a->radius, "linear, log (four decades and more) or cube_root: lengths, or a map's colours");
   command.add_option("--channel", a->channel, "r, g, b or luminance (BT.709, the default)");
   command.add_option("--highest", a->highest, "the value at the rim, or of the last colour. Default: the highest there is");
   with_commas(command.add_option("--lobes", a->lobes, "total, diffuse, specular: several with commas are shown apart. Default: total"));

@@ -53,9 +53,8 @@ std::string contours(std::size_t panels, const PanelShape& shape, const Scale& s
 std::string colour_bar(const PlotRequest& request, const Scale& scale) {
   std::string tics;
   for (const double mark : scale.marks())
-    if (scale(mark) > 0 || mark == 0) tics += (tics.empty() ? "'" : ", '") + nine_digits(mark) + "' " + nine_digits(scale(mark));
-  const std::string below = scale.kind() == ScaleKind::log ? " offset 0,0" : "";
-  return std::string(viridis) + "set cbrange [0:1]\nset cbtics (" + tics + ")" + below + "\nset cblabel " +
+    if (scale(mark) > 0 || mark == 0) tics += (tics.empty() ? "'" : ", '") + mark_text(mark) + "' " + nine_digits(scale(mark));
+  return std::string(viridis) + "set cbrange [0:1]\nset cbtics (" + tics + ")\nset cblabel " +
          quoted(request.measure.title() + ", " + name_of(scale.kind()) + " scale") + " offset 1.5,0\n";
 }
 

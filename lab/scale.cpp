@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace relume {
 
@@ -13,6 +14,12 @@ double rounded_up(double value) {
   for (const double digit : {1.0, 2.0, 2.5, 5.0})
     if (value <= digit * ten * (1 + 1e-9)) return digit * ten;
   return 10 * ten;
+}
+
+std::string mark_text(double mark) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", mark);
+  return text;
 }
 
 Scale::Scale(ScaleKind kind, double peak, int decades) : kind_(kind), decades_(decades) {

@@ -13,6 +13,9 @@ const char* name_of(ScaleKind kind);
 /// The least of 1, 2, 2.5 and 5 times powers of ten that is not below `value`.
 double rounded_up(double value);
 
+/// "0.25", "1e+06": a mark beside a picture.
+std::string mark_text(double mark);
+
 class Scale {
  public:
   /// Room for values up to `peak`; one that is not above 0 counts as 1. A logarithmic scale has at least so many decades, as round ones.

@@ -245,6 +245,9 @@ TEST(Plot, WhatCannotBeDrawnIsRefusedInOneLine) {
   says(refused({"--brdf", "phong", "-o", "x.exr"}), "ends in .svg, .png or .pdf");
   says(refused({"--brdf", "phong", "--size", "1x1", "-o", "x.png"}), "no size");
   says(refused({"--brdf", "phong"}), "nothing to write");
+  says(refused({"--brdf", "phong", "-o", "x.png", "--csv", "x.png"}), "is the figure's file");
+  says(refused({"hemisphere", "--brdf", "phong", "--set", "exponent=1,2,3,4,5", "--lobes", "total,diffuse,specular", "-o", "x.png"}),
+       "15 maps (at most 12)");
 }
 
 TEST(Plot, WhatCannotBeWrittenExitsWith5AndLeavesNothing) {

@@ -70,9 +70,10 @@ Figure figure_of(const PlotRequest& request, const std::vector<Curve>& curves, c
     most = std::max(most, *std::max_element(curves[k].albedos.begin(), curves[k].albedos.end()));
   }
   figure.data = data.str();
-  const double top = request.highest.value_or(most > 1 ? rounded_up(most) : 1.05);
+  const double top = request.highest.value_or(most > 1.02 ? Scale(ScaleKind::linear, most).highest() : 1.05);
   figure.commands = title_command(request, "Directional albedo, " + std::string(name_of(request.measure.channel))) +
-                    "set xlabel \"view angle, degrees\" offset 0,0.5\nset ylabel \"share of light reflected\"\nset xrange [0:90]\nset xtics 15\nset yrange [0:" +
+                    "set xlabel \"view angle, degrees\\n \" offset 0,0.3\nset ylabel \"share of light reflected\"\nset xrange [0:90]\nset xtics "
+                    "15\nset yrange [0:" +
                     nine_digits(top) + "]\nset key bmargin center horizontal maxcols 2 width 2 reverse Left\n" +
                     "set arrow from 0,1 to 90,1 nohead dt 3 lw 1.5 lc rgb '#444444'\nplot " + plotted;
   return figure;

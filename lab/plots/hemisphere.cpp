@@ -76,9 +76,10 @@ PanelShape shape_of(const PlotRequest& request, int side) {
 /// The highest value: of the map, or of the finer samples of the plane of incidence, where lobes have their tips.
 std::string remark(const std::string& label, double in_map, const Tip& in_the_plane) {
   if (!in_the_plane.bounded) return label + ": f_r grows without end towards the horizon";
-  return label + ": highest " + nine_digits(std::max(in_map, in_the_plane.value)) + " 1/sr" +
-         (in_map > in_the_plane.value * (1 + 1e-5) ? ", beside the plane of incidence"
-                                                   : " at " + nine_digits(std::round(in_the_plane.angle * 100) / 100 + 0.0) + " degrees");
+  if (in_map > in_the_plane.value * (1 + 1e-5)) return label + ": highest " + nine_digits(in_map) + " 1/sr, beside the plane of incidence";
+  const std::string narrow = in_map < in_the_plane.value / 2 ? ", in a lobe too narrow for the map" : "";
+  return label + ": highest " + nine_digits(in_the_plane.value) + " 1/sr at " + nine_digits(std::round(in_the_plane.angle * 100) / 100 + 0.0) +
+         " degrees" + narrow;
 }
 
 double highest_of(const Panel& panel) {

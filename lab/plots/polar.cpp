@@ -108,11 +108,12 @@ std::string arrows(const std::vector<NamedDirection>& directions) {
 std::string marks(const Scale& scale, const std::vector<NamedDirection>& directions) {
   std::string text;
   for (const double mark : scale.marks())
-    if (scale(mark) > 0.05) text += label(nine_digits(mark), scale(mark), -0.035, "center font ',10' tc rgb '#555555'");
+    if (scale(mark) > 0.05) text += label(mark_text(mark), scale(mark), -0.035, "center font ',10' tc rgb '#555555'");
   for (int angle = -90; angle <= 90; angle += 30) {
     const auto near = [&](const NamedDirection& d) { return std::abs(d.angle - angle) < 5; };
     if (std::none_of(directions.begin(), directions.end(), near))
-      text += label(std::to_string(std::abs(angle)) + "°", 1.06 * in_plane(angle).x, 1.06 * in_plane(angle).z, "center font ',10' tc rgb '#555555'");
+      text += label(std::to_string(std::abs(angle)) + "°", 1.06 * in_plane(angle).x, 1.06 * in_plane(angle).z + (std::abs(angle) == 90 ? 0.03 : 0),
+                    "center font ',10' tc rgb '#555555'");
   }
   return text;
 }
