@@ -3,6 +3,7 @@
 #define RELUME_BRDF_H
 
 #include "kernels/choice.h"
+#include "kernels/cosines.h"
 #include "kernels/lobes.h"  // made by the build from the lists: includes every lobe; for a device, only the program's own (host/program.cpp)
 #include "kernels/surface.h"
 

@@ -24,6 +24,16 @@ std::string assigned(std::string_view name, double value) {
   return text;
 }
 
+bool is_reflectance(const Parameter& p) { return p.components == 3 && p.lowest == 0 && p.highest == 1; }
+
+/// Whether no reflectance is less than 1.
+bool is_white(const Setting& setting) {
+  return std::none_of(setting.begin(), setting.end(), [&](const std::string& assignment) {
+    const Parameter* p = find_parameter(name_in(assignment));
+    return p && is_reflectance(*p) && value_in(setting, name_in(assignment)) != "1";
+  });
+}
+
 /// The words of a list's entry, or one empty word where it offers no choice.
 std::vector<std::string_view> choices(const std::vector<std::string_view>& words) {
   return words.empty() ? std::vector<std::string_view>{""} : words;
@@ -55,8 +65,6 @@ std::vector<const Parameter*> parameters_of(const Lobe& lobe, const Setting& ter
   }
   return all;
 }
-
-bool is_reflectance(const Parameter& p) { return p.components == 3 && p.lowest == 0 && p.highest == 1; }
 
 /// Reflectances at 1; but what is mirrored cannot be diffused, so a diffuse lobe keeps its f0. Cycles' base colour is given as albedo.
 Setting white(const std::vector<const Parameter*>& parameters, bool diffuse) {
@@ -169,7 +177,8 @@ Examined examined(const Lobe& lobe, const Setting& fixed, std::shared_ptr<Device
   const std::string name(lobe.name);
   Examined e{name, lobe.diffuse, {}, {}, grid_of(lobe, fixed), {}, {}, {}};
   e.parameters.assign(lobe.parameters.begin(), lobe.parameters.end());
-  e.claims.assign(lobe.claims.begin(), lobe.claims.end());
+  for (const std::string_view claim : lobe.claims)
+    if (is_white(fixed) || claim == "positive" || claim == "reciprocal" || claim == "conserving") e.claims.emplace_back(claim);
   // Some lobes' tables take 20 ms to make, and each law asks again.
   const auto made = std::make_shared<std::map<Setting, std::shared_ptr<Brdf>>>();
   e.with = [=](const Setting& set) -> ReflectanceOf {

@@ -62,7 +62,8 @@ std::vector<Finding> findings_of(Examined& lobe) {
   std::vector<Finding> findings;
   const auto ask = [&](const Claim& claim, bool claimed) {
     const Law& law = law_named(claim.law);
-    findings.push_back({lobe.full_name(), law.name, law.meaning, claimed, law.limit, law.measure(lobe, claim.arguments)});
+    const Deviation deviation = law.measure(lobe, claim.arguments);
+    if (deviation.tried > 0) findings.push_back({lobe.full_name(), law.name, law.meaning, claimed, law.limit, deviation});
   };
   for (const char* law : always)
     if (std::find(lobe.claims.begin(), lobe.claims.end(), law) == lobe.claims.end()) ask({law, {}}, false);

@@ -16,7 +16,7 @@ struct Finding {
   bool claimed = true;
   double limit = 0;
   Deviation deviation;
-  bool holds() const { return deviation.by <= limit && deviation.tried > 0; }
+  bool holds() const { return deviation.by <= limit; }
   bool fails() const { return claimed && !holds(); }
 };
 
@@ -30,7 +30,8 @@ Claim parsed_claim(const std::string& claim);
 /// The names of all laws, in the list's order.
 const std::vector<std::string>& law_names();
 
-/// Measures the lobe in the furnace, then its claims; of positive, reciprocal and conserving also those that it does not claim.
+/// Measures the lobe in the furnace, then its claims; of positive, reciprocal and conserving also those that it does not claim. A law that none of
+/// its settings is for (a smooth surface's, where a width was fixed) is left out.
 std::vector<Finding> findings_of(Examined& lobe);
 
 /// Of every distribution, shadowing and Fresnel term.

@@ -113,25 +113,23 @@ Figure furnace_figure(const std::vector<Examination>& lobes) {
     const FurnaceRange range = range_of(e.lobe.furnace);
     const Finding* conserving = finding_of(e.findings, "conserving");
     most = std::max(most, range.greatest);
-    // What reflects nothing (a mirror under lights of no size) has no place on a logarithmic axis.
-    rows += printed("%d %.6g %.6g %d\n", place, std::max(range.least, 1e-3), range.greatest, conserving && conserving->holds() ? 1 : 2);
+    rows += printed("%d %.6g %.6g %d %.4g\n", place, range.least, range.greatest, conserving && conserving->holds() ? 1 : 2, range.greatest);
     names += printed("%s\"%s\" %d", names.empty() ? "" : ", ", e.lobe.full_name().c_str(), place--);
   }
   figure.data = "$ranges << END\n" + rows + "END\n";
-  figure.height = 150 + 26 * int(lobes.size());
+  figure.height = 180 + 26 * int(lobes.size());
   figure.commands =
-      "set title 'Directional albedo with every reflectance at 1: least to greatest over all angles and parameters'\n"
-      "set logscale x\nset xrange [0.0008:" +
-      printed("%g", most * 1.3) +
-      "]\nset xlabel 'share of light that is reflected (0.001: that or less)'\n"
-      "set yrange [0.3:" +
+      "set title 'White furnace: directional albedo over all angles and parameters'\n"
+      "set lmargin 31\nset bmargin 6\nset xrange [0:" +
+      printed("%g", most * 1.15) + "]\nset xlabel 'share of light reflected, every reflectance 1; the number: the greatest'\nset yrange [0.3:" +
       printed("%g", double(lobes.size()) + 0.7) + "]\nset ytics (" + names +
-      ")\nset key outside bottom center horizontal\n"
+      ")\nset key bmargin center horizontal\n"
       "set arrow 1 from 1, graph 0 to 1, graph 1 nohead lw 1.5 lc rgb '#000000' dt 2\n"
-      "plot $ranges using 2:($4==1?$1:1/0):($3-$2):(0) with vectors nohead lw 6 lc rgb '#0072B2' title 'conserving', "
-      "$ranges using 2:($4==2?$1:1/0):($3-$2):(0) with vectors nohead lw 6 lc rgb '#D55E00' title 'reflects more than arrives', "
-      "$ranges using 3:($4==1?$1:1/0) with points pt 7 ps 1 lc rgb '#0072B2' notitle, "
-      "$ranges using 3:($4==2?$1:1/0) with points pt 7 ps 1 lc rgb '#D55E00' notitle\n";
+      "of(wanted, verdict, place) = verdict == wanted ? place : 1/0\n"
+      "plot $ranges using 2:(of(1, $4, $1)):($3-$2):(0) with vectors nohead lw 6 lt 1 title 'conserving', "
+      "$ranges using 2:(of(2, $4, $1)):($3-$2):(0) with vectors nohead lw 6 lt 2 title 'not conserving', "
+      "$ranges using 3:(of(1, $4, $1)) with points pt 7 ps 1 lt 1 notitle, $ranges using 3:(of(2, $4, $1)) with points pt 7 ps 1 lt 2 notitle, "
+      "$ranges using 3:1:5 with labels left offset 1,0 notitle\n";
   return figure;
 }
 
