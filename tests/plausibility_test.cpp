@@ -102,7 +102,7 @@ TEST(DirectionalAlbedo, SharpLobesAndGrazingViewsConverge) {
 }
 
 /// The grid thinned to a few settings, which is quick.
-Examined few_settings(const Lobe& lobe, std::size_t count = 6) {
+Examined few_settings(const Lobe& lobe, std::size_t count = 3) {
   Examined e = examined(lobe, {}, lab_device("twin"));
   std::vector<Setting> some;
   for (std::size_t i = 0; i < e.grid.size(); i += std::max<std::size_t>(1, e.grid.size() / count)) some.push_back(e.grid[i]);
@@ -133,7 +133,7 @@ std::vector<std::string> failures_of(Examined e) {
 class EveryLobe : public testing::TestWithParam<const Lobe*> {};
 
 TEST_P(EveryLobe, KeepsItsClaimsAndNoneOfThemIsIdle) {
-  Examined e = few_settings(*GetParam(), 12);
+  Examined e = few_settings(*GetParam(), 6);
   const std::vector<Finding> findings = findings_of(e);
   EXPECT_EQ(std::size_t(std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return f.claimed; })), GetParam()->claims.size());
   for (const Finding& f : findings) {

@@ -5,7 +5,7 @@
 
 namespace relume {
 
-#define RELUME_FIGURES(FIGURE)
+#define RELUME_FIGURES(FIGURE) FIGURE(ks, "the greatest coefficient of Phong's and Blinn's lobes, from the kernels and from the formula")
 
 #define RELUME_DECLARE_FIGURE(name, summary) void figure_##name(CLI::App& command, Action& action);
 RELUME_FIGURES(RELUME_DECLARE_FIGURE)
