@@ -20,6 +20,7 @@ using Action = std::function<int()>;
   COMMAND(directions, "the directions n, v, l, R_v, R_l, h of every pixel, as layers") \
   COMMAND(plot, "figures of BRDFs: polar plots, maps, lit spheres")                    \
   COMMAND(check_brdf, "whether BRDFs keep the laws that they claim")                   \
+  COMMAND(figure, "pictures that compare one way of lighting with another")            \
   COMMAND(bench, "how fast devices shade, beside plain C++ and textbook kernels")
 
 #define RELUME_DECLARE_COMMAND(name, summary) void add_##name(CLI::App& command, Action& action);

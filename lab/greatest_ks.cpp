@@ -46,7 +46,8 @@ std::vector<GreatestKs> greatest_ks(std::shared_ptr<Device> device) {
       const Brdf brdf(form.lobe, {"ks=1", "exponent=" + std::to_string(e)}, device);
       const double peak = brdf.reflectance(std::span(&straight, 1)).front().total().x;
       Albedo greatest{};
-      for (const LobeAlbedos& albedos : directional_albedos([&](auto pairs) { return brdf.reflectance(pairs); }, views))
+      for (const LobeAlbedos& albedos :
+           directional_albedos([&](auto pairs) { return brdf.reflectance(pairs); }, views, 1e-6 * peak / form.formula(e)))
         if (albedos.total().value.x > greatest.value.x) greatest = albedos.total();
       all.push_back({form.lobe, e, peak / greatest.value.x, greatest.error.x / greatest.value.x, form.formula(e)});
     }
@@ -74,12 +75,12 @@ Figure ks_figure(const std::vector<GreatestKs>& all) {
     apart += (apart.empty() ? "" : ", ") + block + " using 1:4 with linespoints" + type + " notitle";
   }
   figure.commands =
-      "set multiplot\nset lmargin 12\nset logscale xy\nset xrange [0.9:12000]\nset origin 0,0.36\nset size 1,0.64\nset key left top\n"
+      "set multiplot\nset lmargin 12\nset logscale xy\nset xrange [0.9:12000]\nset origin 0,0.36\nset size 1,0.64\nset key left top Left reverse\n"
       "set title 'The greatest Ks(e) with which no more is reflected than arrives: lines the formula, points the kernels'\nset ylabel 'Ks(e), 1/sr'\n"
       "plot " +
       lines + points +
       "\nset origin 0,0\nset size 1,0.36\nunset title\nset xlabel 'exponent e'\nset ylabel 'relative difference'\nset format y '%.0e'\n"
-      "set yrange [1e-9:1e-4]\nplot " +
+      "set yrange [1e-10:1e-4]\nplot " +
       apart + "\nunset multiplot\n";
   return figure;
 }
