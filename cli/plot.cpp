@@ -1,5 +1,6 @@
 // relume plot: figures of BRDFs, from the kernels that shade frames.
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <sstream>
 
@@ -74,32 +75,39 @@ Arrangement arrangement_of(const CLI::App& command, const PlotArguments& a) {
   return {light, light ? angle_of("--light", a.light) : angle_of("--view", a.view)};
 }
 
-PlotRequest request_of(const CLI::App& command, const PlotArguments& a, const PlotKind& kind) {
-  PlotRequest request;
-  request.compared = compared(a.brdfs, a.set, kind.most);
-  request.arrangement = arrangement_of(command, a);
-  if (command.get_option("--mark")->count() > 0) {
-    if (!(std::abs(a.mark) < 90)) throw Error(ErrorKind::input, "--mark: degrees from the normal, above -90 to below 90");
-    request.marked = a.mark;
-  }
-  using Channels = std::vector<std::pair<std::string, ColourChannel>>;
-  request.measure.quantity = chosen<Quantity>("--quantity", a.quantity, {{"f_r", Quantity::f_r}, {"reflectance", Quantity::reflectance}});
-  request.measure.channel = chosen<ColourChannel>(
-      "--channel", a.channel,
-      Channels{{"luminance", ColourChannel::luminance}, {"r", ColourChannel::r}, {"g", ColourChannel::g}, {"b", ColourChannel::b}});
-  if (!a.radius.empty())
-    request.scale =
-        chosen<ScaleKind>("--radius", a.radius, {{"linear", ScaleKind::linear}, {"log", ScaleKind::log}, {"cube_root", ScaleKind::cube_root}});
-  if (command.get_option("--highest")->count() > 0) {
-    if (!(a.highest >= 1e-9 && a.highest <= 1e9)) throw Error(ErrorKind::input, "--highest: a value above 0 (1e-9 to 1e9)");
-    request.highest = a.highest;
-  }
-  request.parts.clear();
+Measure measure_of(const PlotArguments& a) {
+  return {
+      chosen<Quantity>("--quantity", a.quantity, {{"f_r", Quantity::f_r}, {"reflectance", Quantity::reflectance}}),
+      chosen<ColourChannel>("--channel", a.channel,
+                            {{"luminance", ColourChannel::luminance}, {"r", ColourChannel::r}, {"g", ColourChannel::g}, {"b", ColourChannel::b}})};
+}
+
+std::vector<LobePart> parts_of(const PlotArguments& a) {
+  std::vector<LobePart> parts;
   for (const std::string& lobe : a.lobes) {
     const LobePart part =
         chosen<LobePart>("--lobes", lobe, {{"total", LobePart::total}, {"diffuse", LobePart::diffuse}, {"specular", LobePart::specular}});
-    if (std::find(request.parts.begin(), request.parts.end(), part) == request.parts.end()) request.parts.push_back(part);
+    if (std::find(parts.begin(), parts.end(), part) == parts.end()) parts.push_back(part);
   }
+  return parts;
+}
+
+PlotRequest request_of(const CLI::App& command, const PlotArguments& a, const PlotKind& kind) {
+  const auto given = [&](const char* option) { return command.get_option(option)->count() > 0; };
+  // NaN is in no range.
+  if (given("--mark") && !(std::abs(a.mark) < 90)) throw Error(ErrorKind::input, "--mark: degrees from the normal, above -90 to below 90");
+  if (given("--highest") && !(a.highest >= 1e-9 && a.highest <= 1e9)) throw Error(ErrorKind::input, "--highest: a value above 0 (1e-9 to 1e9)");
+  if (!(std::abs(a.exposure) <= 30)) throw Error(ErrorKind::input, "--exposure: stops, -30 to 30");
+  PlotRequest request;
+  request.compared = compared(a.brdfs, a.set, kind.most);
+  request.arrangement = arrangement_of(command, a);
+  if (given("--mark")) request.marked = a.mark;
+  if (given("--highest")) request.highest = a.highest;
+  if (given("--radius"))
+    request.scale =
+        chosen<ScaleKind>("--radius", a.radius, {{"linear", ScaleKind::linear}, {"log", ScaleKind::log}, {"cube_root", ScaleKind::cube_root}});
+  request.measure = measure_of(a);
+  request.parts = parts_of(a);
   request.swap = a.swap;
   request.exposure = a.exposure;
   request.numbers = !a.csv.empty();
@@ -183,7 +191,7 @@ void add_plot(CLI::App& command, Action& action) {
   command.add_option("--channel", a->channel, "r, g, b or luminance (BT.709, the default)");
   command.add_option("--highest", a->highest, "the value at the rim, or of the last colour. Default: the highest there is");
   with_commas(command.add_option("--lobes", a->lobes, "total, diffuse, specular: several with commas are shown apart. Default: total"));
-  command.add_option("--exposure", a->exposure, "stops. Default: 0")->check(CLI::Range(-30.0, 30.0));
+  command.add_option("--exposure", a->exposure, "stops. Default: 0");
   command.add_flag("--swap", a->swap, "also with view and light exchanged: what is reciprocal coincides");
   command.add_option("-o,--output", a->output, "FILE.svg, .png or .pdf (made by gnuplot); of spheres also .exr, scene-linear");
   command.add_option("--csv", a->csv, "FILE for the numbers, a row for each sample");

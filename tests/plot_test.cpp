@@ -244,6 +244,10 @@ TEST(Plot, WhatCannotBeDrawnIsRefusedInOneLine) {
   says(refused({"--brdf", "phong", "-o", "x.gif"}), "ends in .svg, .png or .pdf");
   says(refused({"--brdf", "phong", "-o", "x.exr"}), "ends in .svg, .png or .pdf");
   says(refused({"--brdf", "phong", "--size", "1x1", "-o", "x.png"}), "no size");
+  says(refused({"--brdf", "phong", "--radius", "sqrt", "-o", "x.png"}), "is none of linear, log, cube_root");
+  says(refused({"--brdf", "phong", "--mark", "nan", "-o", "x.png"}), "--mark: degrees");
+  says(refused({"--brdf", "phong", "--highest", "0", "-o", "x.png"}), "--highest: a value above 0");
+  says(refused({"spheres", "--brdf", "phong", "--exposure", "nan", "-o", "x.png"}), "--exposure: stops");
   says(refused({"--brdf", "phong"}), "nothing to write");
   says(refused({"--brdf", "phong", "-o", "x.png", "--csv", "x.png"}), "is the figure's file");
   says(refused({"hemisphere", "--brdf", "phong", "--set", "exponent=1,2,3,4,5", "--lobes", "total,diffuse,specular", "-o", "x.png"}),
