@@ -11,6 +11,7 @@ using Action = std::function<int()>;
 
 #define RELUME_COMMANDS(COMMAND)                                                       \
   COMMAND(shade, "relight a G-buffer: new lights in, a scene-linear image out")        \
+  COMMAND(bake, "a mesh and a camera to a G-buffer that can be relit")                 \
   COMMAND(inspect, "what each channel of a G-buffer means, and how that was told")     \
   COMMAND(doctor, "what is wrong with a G-buffer, where, and what mends it")           \
   COMMAND(compare, "how far two images are apart, layer by layer")                     \

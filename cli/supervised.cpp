@@ -164,6 +164,8 @@ int explain(const End& end) {
     return say(file + ": its header keeps OpenEXR busy without an end: damaged, or made to", ErrorKind::input);
   if (w.now() == Foreign::header || w.now() == Foreign::pixels)
     return say(file + ": OpenEXR, which decodes it, " + what + ": the file is damaged, or made to do this; nothing was written", ErrorKind::input);
+  if (w.now() == Foreign::mesh)
+    return say(file + ": Assimp, which reads it, " + what + ": the file is damaged, or made to do this; nothing was written", ErrorKind::input);
   if (w.now() == Foreign::driver || w.driver_loaded)
     return say("the OpenCL driver " + what + "; nothing was written (--device twin needs no driver)", ErrorKind::device);
   return say("a defect of ours: the program " + what + "; nothing was written", ErrorKind::internal);

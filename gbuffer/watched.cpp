@@ -18,7 +18,7 @@ Watched& watched() {
 }
 
 Foreign Watched::now() const noexcept {
-  for (const Foreign code : {Foreign::driver, Foreign::pixels, Foreign::header})
+  for (const Foreign code : {Foreign::driver, Foreign::pixels, Foreign::header, Foreign::mesh})
     if (running[int(code)] > 0) return code;
   return Foreign::none;
 }

@@ -13,9 +13,10 @@ enum class Foreign : int {
   none,
   header,  ///< OpenEXR parses a header: nothing that takes long
   pixels,  ///< OpenEXR decodes pixels
-  driver   ///< OpenCL
+  driver,  ///< OpenCL
+  mesh     ///< Assimp reads a mesh
 };
-constexpr int foreign_kinds = 4;
+constexpr int foreign_kinds = 5;
 
 struct Watched {
   std::atomic<std::uint64_t> beats{0};      ///< grows wherever the process gets on
@@ -24,7 +25,7 @@ struct Watched {
   std::atomic<bool> input_used{false};      ///< standard input was read, and cannot be read again
   std::atomic<bool> finished{false};        ///< the job has ended and its code stands; what follows is tidying
   std::atomic<int> code{0};                 ///< of the job
-  char file[PATH_MAX] = {};                 ///< that `header` and `pixels` are of, printable
+  char file[PATH_MAX] = {};                 ///< that `header`, `pixels` and `mesh` are of, printable
   char folder[PATH_MAX] = {};               ///< a temporary folder, to be removed by whoever remains
 
   /// What runs at present. Beside pixels that are decoded a driver may run: it is the one named, for what it takes down is tried again without it,

@@ -12,12 +12,12 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <exception>
 #include <mutex>
 #include <thread>
 
 #include "gbuffer/error.h"
 #include "gbuffer/half_floats.h"
+#include "gbuffer/output_stream.h"
 #include "gbuffer/printable.h"
 #include "gbuffer/whole_file.h"
 #include "gbuffer/zip_output.h"
@@ -28,15 +28,6 @@ namespace {
 constexpr std::array<Imf::Compression, 10> compressions = {
     Imf::NO_COMPRESSION,    Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION, Imf::ZIP_COMPRESSION,  Imf::PIZ_COMPRESSION,
     Imf::PXR24_COMPRESSION, Imf::B44_COMPRESSION, Imf::B44A_COMPRESSION, Imf::DWAA_COMPRESSION, Imf::DWAB_COMPRESSION};
-
-Imf::Compression compression_named(const std::string& name) {
-  const std::vector<std::string>& names = compression_names();
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found != names.end()) return compressions[std::size_t(found - names.begin())];
-  std::string all;
-  for (const std::string& each : names) all += (all.empty() ? "" : ", ") + each;
-  throw Error(ErrorKind::input, "no compression \"" + printable(name) + "\" (" + all + ")");
-}
 
 bool begins_with(const std::string& text, const char* beginning) { return strncasecmp(text.c_str(), beginning, std::strlen(beginning)) == 0; }
 
@@ -78,36 +69,6 @@ Imf::Header kept_attributes(const Imf::Header& like, const std::vector<std::pair
 
 Imath::Box2i box_of(const Window& window) { return {{window.min_x, window.min_y}, {window.max_x - 1, window.max_y - 1}}; }
 
-/// OpenEXR's output onto a WholeFile. OutputFile's destructor swallows what a write throws, so the first failure is kept here.
-class OutputStream : public Imf::OStream {
- public:
-  explicit OutputStream(WholeFile& file) : Imf::OStream("output"), file_(file) {}
-  void write(const char data[], int bytes) override {
-    keep([&] { file_.write(data, std::size_t(bytes)); });
-  }
-  uint64_t tellp() override { return file_.position(); }
-  void seekp(uint64_t position) override {
-    keep([&] { file_.seek(position); });
-  }
-  void rethrow() const {
-    if (failure_) std::rethrow_exception(failure_);
-  }
-
- private:
-  template <class Work>
-  void keep(const Work& work) {
-    try {
-      work();
-    } catch (...) {
-      if (!failure_) failure_ = std::current_exception();
-      throw;
-    }
-  }
-
-  WholeFile& file_;
-  std::exception_ptr failure_;
-};
-
 }  // namespace
 
 const float* Source::row(int y, int width, std::vector<float>& gathered) const {
@@ -121,6 +82,15 @@ const float* Source::row(int y, int width, std::vector<float>& gathered) const {
 const std::vector<std::string>& compression_names() {
   static const std::vector<std::string> names = {"none", "rle", "zips", "zip", "piz", "pxr24", "b44", "b44a", "dwaa", "dwab"};
   return names;
+}
+
+Imf::Compression compression_named(const std::string& name) {
+  const std::vector<std::string>& names = compression_names();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return compressions[std::size_t(found - names.begin())];
+  std::string all;
+  for (const std::string& each : names) all += (all.empty() ? "" : ", ") + each;
+  throw Error(ErrorKind::input, "no compression \"" + printable(name) + "\" (" + all + ")");
 }
 
 struct ExrWriter::State {

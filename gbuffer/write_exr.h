@@ -1,6 +1,7 @@
 // An OpenEXR file to write: rows arrive in bands, the file appears whole under its name or not at all.
 #pragma once
 
+#include <ImfCompression.h>
 #include <ImfHeader.h>
 
 #include <cstddef>
@@ -24,6 +25,8 @@ struct OutputFormat {
 
 /// none, rle, zips, zip, piz, pxr24, b44, b44a, dwaa, dwab.
 const std::vector<std::string>& compression_names();
+/// Error{input} that lists them for another.
+Imf::Compression compression_named(const std::string& name);
 
 /// Rows of one channel, float, ready to write.
 struct Source {

@@ -17,10 +17,11 @@ const std::map<std::string, std::set<std::string>> may_include{
     {"gbuffer", {"gbuffer"}},
     {"kernels", {"kernels"}},
     {"host", {"gbuffer", "host", "kernels"}},
+    {"bake", {"bake", "gbuffer"}},
     {"figure", {"figure", "gbuffer"}},
     {"lab", {"figure", "gbuffer", "host", "kernels", "lab"}},
     {"bench", {"bench", "figure", "gbuffer", "host", "kernels"}},
-    {"cli", {"bench", "cli", "figure", "gbuffer", "host", "lab"}},
+    {"cli", {"bake", "bench", "cli", "figure", "gbuffer", "host", "lab"}},
 };
 
 TEST(Folders, IncludePointsOneWay) {
@@ -51,7 +52,7 @@ TEST(Folders, OnlyHostSeesOpenCl) {
 }
 
 TEST(Folders, FilesBeginWithWhatTheyAre) {
-  for (const char* folder : {"gbuffer", "host", "cli", "kernels", "figure", "lab", "bench"})
+  for (const char* folder : {"gbuffer", "host", "cli", "kernels", "bake", "figure", "lab", "bench"})
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(RELUME_SOURCE) / folder)) {
       if (!std::set<std::string>{".h", ".cpp", ".cl"}.contains(entry.path().extension())) continue;
       std::ifstream in(entry.path());

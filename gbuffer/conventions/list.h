@@ -4,6 +4,7 @@
 
 #define RELUME_CONVENTIONS(CONVENTION) \
   CONVENTION(blender)                  \
+  CONVENTION(relume_bake)              \
   CONVENTION(pbrt)                     \
   CONVENTION(mitsuba)                  \
   CONVENTION(arnold)                   \

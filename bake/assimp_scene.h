@@ -1,0 +1,28 @@
+// What Assimp read, taken over into a Mesh. For bake/read_mesh.cpp alone.
+#pragma once
+
+#include <assimp/scene.h>
+
+#include <filesystem>
+#include <glm/mat4x4.hpp>
+
+#include "bake/mesh.h"
+
+namespace relume {
+
+/// Where the file's importer leaves a choice.
+struct SceneKind {
+  bool linear_colours = false;  ///< of vertices: glTF's; PLY's and OBJ's are on the sRGB curve, as what writes them shows them
+};
+
+/// Every vertex that a face names exists: importers pass on what a file claims. Error{input}.
+void check_indices(const aiScene& scene, const std::string& name);
+
+/// Every node's meshes, each where its node has it. Vertices alike in all they hold become one. Error{input}, with `name` as its place, for
+/// coordinates that are no numbers.
+void take_geometry(const aiScene& scene, const glm::dmat4& world_from_file, const SceneKind& kind, const std::string& name, Mesh& mesh);
+
+/// Albedo, roughness and metallic, with their textures; pictures are looked for beside `file`. One that cannot be read is a note.
+void take_materials(const aiScene& scene, const std::filesystem::path& file, Mesh& mesh);
+
+}  // namespace relume
