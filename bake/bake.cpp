@@ -73,7 +73,7 @@ BakedPart Baking::pixels() {
     surface_pixels_.fetch_add(1, std::memory_order_relaxed);
     return true;
   };
-  return {"pixels", {0, 0, job_.width, job_.height}, pixel_columns(mesh_, job_.format.type == SampleType::half_float), fill};
+  return {"main", {0, 0, job_.width, job_.height}, pixel_columns(mesh_, job_.format.type == SampleType::half_float), fill};
 }
 
 BakedPart Baking::vertices() const {

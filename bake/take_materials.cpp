@@ -1,6 +1,7 @@
 // take_materials: glTF's metallic-roughness (glTF 2.0, 3.9) and MTL's Kd with its PBR keys Pr and Pm, as Assimp names them.
 #include <assimp/material.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -104,6 +105,16 @@ bool take_number(const aiMaterial& from, const NumberSource& source, Textures& t
   return source.stated || to.texture;
 }
 
+/// A material without pbrMetallicRoughness is white metal by the standard (glTF 2.0, 3.9.2), though its author meant something else.
+void note_bare_metal(Mesh& mesh) {
+  const auto bare = [](const MeshMaterial& m) {
+    return !m.albedo.texture && !m.roughness.texture && m.albedo.factor == glm::dvec3(1) && m.roughness.factor.x == 1 && m.metallic.factor.x == 1;
+  };
+  if (mesh.has_metallic && std::any_of(mesh.materials.begin(), mesh.materials.end(), bare))
+    mesh.notes.emplace_back(
+        "a material says nothing, which glTF takes for rough white metal (relume shade --set metallic=0 --set albedo=0.8,0.8,0.8 says otherwise)");
+}
+
 }  // namespace
 
 void take_materials(const aiScene& scene, const std::filesystem::path& file, Mesh& mesh) {
@@ -117,6 +128,7 @@ void take_materials(const aiScene& scene, const std::filesystem::path& file, Mes
     mesh.has_metallic |= take_number(*from, metallic, textures, to.metallic, to.metallic_channel);
     mesh.materials.push_back(std::move(to));
   }
+  note_bare_metal(mesh);
 }
 
 }  // namespace relume
