@@ -13,6 +13,7 @@
 #include "bake/turn_to_viewer.h"
 #include "bake/viewing_rays.h"
 #include "gbuffer/error.h"
+#include "gbuffer/mesh_parts.h"
 #include "gbuffer/write_parts.h"
 
 namespace relume {
@@ -91,7 +92,7 @@ BakedPart Baking::vertices() const {
     sample.point = surface_at(mesh_, mesh_.triangles[std::size_t(uses[std::size_t(i)].triangle)], weights);
     return true;
   };
-  return {"vertices", window_of_list(mesh_.vertices.size()), surface_columns(mesh_, job_.format.type == SampleType::half_float), fill};
+  return {vertices_part, window_of_list(mesh_.vertices.size()), surface_columns(mesh_, job_.format.type == SampleType::half_float), fill};
 }
 
 BakedPart Baking::facets() const {
@@ -103,7 +104,7 @@ BakedPart Baking::facets() const {
     sample.vertices = triangle.vertices;
     return true;
   };
-  return {"facets", window_of_list(mesh_.triangles.size()), facet_columns(mesh_, job_.format.type == SampleType::half_float), fill};
+  return {facets_part, window_of_list(mesh_.triangles.size()), facet_columns(mesh_, job_.format.type == SampleType::half_float), fill};
 }
 
 void Baking::write(PartsWriter& writer, const std::vector<BakedPart>& parts, std::size_t index) {

@@ -3,6 +3,8 @@
 
 #include <bit>
 
+#include "gbuffer/mesh_parts.h"
+
 namespace relume {
 namespace {
 
@@ -38,17 +40,17 @@ std::vector<BakedColumn> surface_columns(const Mesh& mesh, bool halves) {
 std::vector<BakedColumn> pixel_columns(const Mesh& mesh, bool halves) {
   std::vector<BakedColumn> columns = surface_columns(mesh, halves);
   add(columns, {{{"Z", SampleType::float32}, [](Sample s) { return s.depth; }},
-                {{"triangle", SampleType::uint32}, [](Sample s) { return double(s.triangle); }},
-                {{"barycentric.U", SampleType::float32}, [](Sample s) { return s.u; }},
-                {{"barycentric.V", SampleType::float32}, [](Sample s) { return s.v; }}});
+                {{facet_channel, SampleType::uint32}, [](Sample s) { return double(s.triangle); }},
+                {{second_weight_channel, SampleType::float32}, [](Sample s) { return s.u; }},
+                {{third_weight_channel, SampleType::float32}, [](Sample s) { return s.v; }}});
   return columns;
 }
 
 std::vector<BakedColumn> facet_columns(const Mesh& mesh, bool halves) {
   std::vector<BakedColumn> columns = surface_columns(mesh, halves);
-  add(columns, {{{"vertex0", SampleType::uint32}, [](Sample s) { return double(s.vertices[0]); }},
-                {{"vertex1", SampleType::uint32}, [](Sample s) { return double(s.vertices[1]); }},
-                {{"vertex2", SampleType::uint32}, [](Sample s) { return double(s.vertices[2]); }}});
+  add(columns, {{{facet_vertex_channels[0], SampleType::uint32}, [](Sample s) { return double(s.vertices[0]); }},
+                {{facet_vertex_channels[1], SampleType::uint32}, [](Sample s) { return double(s.vertices[1]); }},
+                {{facet_vertex_channels[2], SampleType::uint32}, [](Sample s) { return double(s.vertices[2]); }}});
   return columns;
 }
 

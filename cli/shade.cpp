@@ -16,7 +16,8 @@ namespace {
 
 struct ShadeArguments {
   std::string gbuffer, output, materials, png, layers, crop, diffuse = "auto", specular = "auto", edges = "mend", precision = "exact", device,
-                                                             compression = "zip", units, up, range, scale = "auto", memory = "2G";
+                                                             interpolation = "phong", compression = "zip", units, up, range, scale = "auto",
+                                                             memory = "2G";
   std::vector<std::string> rigs, set;
   double exposure = 0;
   bool half = false, full = false, overwrite = false, quiet = false, json = false;
@@ -90,6 +91,7 @@ RelightJob job_of(const ShadeArguments& a) {
   if (!a.materials.empty()) job.materials = a.materials;
   choose_layers(a.layers, job);
   if (!a.crop.empty()) job.crop = window_of(a.crop);
+  job.interpolation = a.interpolation == "gouraud" ? Interpolation::gouraud : a.interpolation == "flat" ? Interpolation::flat : Interpolation::phong;
   job.mend_edges = a.edges == "mend";
   job.format = {a.half ? SampleType::half_float : SampleType::float32, a.compression, a.overwrite};
   if (!a.png.empty()) job.png = a.png;
@@ -177,6 +179,13 @@ void add_shade(CLI::App& command, Action& action) {
       .add_option("--edges", a->edges,
                   "pixels that mix surfaces: mend shades each surface by itself; as-stored shades the stored means, undivided by coverage")
       ->check(CLI::IsMember({"mend", "as-stored"}))
+      ->capture_default_str();
+  command
+      .add_option(
+          "--interpolation", a->interpolation,
+          "what is lit, whatever the lobes: pixels with interpolated normals (phong), or of a G-buffer that relume bake made its vertices, with "
+          "radiance interpolated (gouraud), or its facets (flat)")
+      ->check(CLI::IsMember({"phong", "gouraud", "flat"}))
       ->capture_default_str();
   a->reading.add_to(command);
   add_rig_options(command, *a);

@@ -73,6 +73,7 @@ class Relight {
   void write_alpha(const GBuffer& gbuffer, Planes& out) const;
   bool ambient_is_a_share() const;
   glm::dvec3 mean_irradiance();
+  void light_mesh();
   void shade_band(BandInWork& band);
   void run_bands(FrameOutput& output);
   Bands bands(const Window& window) const;
@@ -98,6 +99,7 @@ class Relight {
   std::optional<DeviceOpening> opening_;
   std::unique_ptr<Device> device_;
   std::optional<BandShading> shading_;
+  std::optional<MeshRadiance> mesh_;  ///< where not pixels are lit but what they show parts of
   Window window_;
   MixedPixels mixed_pixels_;
 };
@@ -156,6 +158,7 @@ void Relight::open() {
     note("relaxed precision: the picture differs from the exact one in rounding (docs/portability.md)");
   layout_ = layout_of(job_, *lights_);
   shading_.emplace(*device_, *binding_, *lights_, layout_, reading_);
+  if (job_.interpolation != Interpolation::phong) mesh_.emplace(file_, reading_, job_.interpolation, layout_, job_.memory);
   watch_.lap("compile");
 }
 
@@ -215,6 +218,18 @@ std::vector<std::pair<std::string, std::string>> Relight::metadata() const {
   return texts;
 }
 
+/// Vertices or facets, all at once: any pixel may show any of them.
+void Relight::light_mesh() {
+  shade_watch_.start();
+  for (const Window& band : bands(mesh_->reading().data_window).windows) {
+    GBuffer samples = read_gbuffer(file_, mesh_->reading(), band, roles_, binding_->spare_planes());
+    Planes lit(std::size_t(samples.samples()), shading_->planes());
+    lit.add(shading_->planes());
+    shading_->shade(samples, lit, shade_watch_, [this](std::int64_t) { progress("shade", 0); });
+    mesh_->take(band, lit);
+  }
+}
+
 void Relight::shade_band(BandInWork& band) {
   GBuffer& gbuffer = band.gbuffer;
   summary_.surface_pixels += gbuffer.surface_pixels;
@@ -224,7 +239,11 @@ void Relight::shade_band(BandInWork& band) {
   band.out.add(shading_->planes());
   const double all = double(window_.pixels()) * shading_->rounds();
   double done = double(gbuffer.window.min_y - window_.min_y) * window_.width() * shading_->rounds();
-  shading_->shade(gbuffer, band.out, shade_watch_, [&](std::int64_t pixels) { progress("shade", std::min((done += double(pixels)) / all, 1.0)); });
+  const auto shaded = [&](std::int64_t pixels) { progress("shade", std::min((done += double(pixels)) / all, 1.0)); };
+  if (mesh_)
+    mesh_->interpolate(gbuffer, band.out);
+  else
+    shading_->shade(gbuffer, band.out, shade_watch_, shaded);
   write_alpha(gbuffer, band.out);
   fold_surfaces(gbuffer, band.out);
   shade_watch_.lap("shade");
@@ -266,6 +285,7 @@ void Relight::shade_and_write() {
   const Part& part = file_.parts()[std::size_t(reading_.part)];
   FrameOutput output(job_, layout_, part.header, window_, reading_.display_window, metadata());
   watch_.lap("prepare");
+  if (mesh_) light_mesh();
   run_bands(output);
   if (summary_.bad_pixels)
     note("warning: " + std::to_string(summary_.bad_pixels) + " pixels have a NaN or infinite position or normal: written as showing no surface");

@@ -13,6 +13,7 @@
 #include "gbuffer/reading.h"
 #include "gbuffer/write_exr.h"
 #include "host/device.h"
+#include "host/interpolation.h"
 #include "host/materials.h"
 #include "host/rig.h"
 
@@ -28,10 +29,11 @@ struct RelightJob {
   bool diffuse_layer = false, specular_layer = false, ambient_layer = false, light_layers = false;
   std::optional<Window> crop;  ///< display-window coordinates
   OutputFormat format;
+  Interpolation interpolation = Interpolation::phong;  ///< the others need what relume bake stores
   bool mend_edges = true;  ///< pixels that mix surfaces are shaded surface by surface; else the stored means are shaded as they are
   std::optional<std::filesystem::path> png;
-  double exposure = 0;                          ///< stops, of the PNG alone
-  std::string device;                           ///< empty: the best, falling back to the twin with a note
+  double exposure = 0;  ///< stops, of the PNG alone
+  std::string device;   ///< empty: the best, falling back to the twin with a note
   Precision precision = Precision::exact;
   std::int64_t memory = std::int64_t(2) << 30;  ///< bytes for the planes of all bands in flight
 };

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "gbuffer/ailments/ailment.h"
+#include "gbuffer/mesh_parts.h"
 
 namespace relume {
 namespace {
@@ -39,7 +40,9 @@ void compare_layers(const Patient& patient, std::vector<Finding>& findings) {
 
 void compare_parts(const Patient& patient, std::vector<Finding>& findings) {
   const auto& parts = patient.file.parts();
-  const auto other = std::find_if(parts.begin(), parts.end(), [&](const Part& p) { return !(p.data_window == parts.front().data_window); });
+  const auto other = std::find_if(parts.begin(), parts.end(), [&](const Part& p) {
+    return !(p.data_window == parts.front().data_window) && !(patient.reading.convention == "relume_bake" && is_mesh_part(p));
+  });
   if (other == parts.end() || !patient.understood) return;
   findings.push_back({"",
                       Severity::hint,
