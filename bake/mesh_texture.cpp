@@ -1,15 +1,13 @@
 // MeshTexture: pictures through gbuffer/picture.h; those inside a mesh's file by way of a temporary one.
 #include "bake/mesh_texture.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <glm/common.hpp>
 
 #include "gbuffer/error.h"
-#include "gbuffer/temporaries.h"
+#include "gbuffer/temporary_file.h"
 
 namespace relume {
 namespace {
@@ -26,31 +24,11 @@ Picture picture_from(const std::filesystem::path& file, bool colour) {
   return picture;
 }
 
-/// The bytes under a name with this extension for as long as this lives; a crash's sweep knows of it too.
-class TemporaryPicture {
- public:
-  TemporaryPicture(std::span<const unsigned char> bytes, const std::string& extension) {
-    std::string name = (std::filesystem::temp_directory_path() / ("relume-texture-XXXXXX." + extension)).string();
-    const int descriptor = mkstemps(name.data(), int(extension.size() + 1));
-    if (descriptor < 0) throw Error(ErrorKind::output, name + ": no temporary file for a texture (is TMPDIR full?)");
-    file_ = name;
-    slot_ = note_temporary(file_);
-    close(descriptor);
-    std::ofstream(file_, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
-  }
-  ~TemporaryPicture() {
-    std::error_code ignored;
-    std::filesystem::remove(file_, ignored);
-    forget_temporary(slot_);
-  }
-  TemporaryPicture(const TemporaryPicture&) = delete;
-  TemporaryPicture& operator=(const TemporaryPicture&) = delete;
-  const std::filesystem::path& file() const { return file_; }
-
- private:
-  std::filesystem::path file_;
-  int slot_ = -1;
-};
+Picture picture_from(std::span<const unsigned char> encoded, const std::string& extension, bool colour) {
+  const TemporaryFile file('.' + extension);
+  std::ofstream(file.path(), std::ios::binary).write(reinterpret_cast<const char*>(encoded.data()), std::streamsize(encoded.size()));
+  return picture_from(file.path(), colour);
+}
 
 long wrapped(long i, long count, Wrap wrap) {
   if (wrap == Wrap::clamp) return std::clamp(i, 0L, count - 1);
@@ -64,7 +42,7 @@ MeshTexture::MeshTexture(const std::filesystem::path& file, bool colour, Wrap ac
     : picture_(picture_from(file, colour)), across_(across), down_(down) {}
 
 MeshTexture::MeshTexture(std::span<const unsigned char> encoded, const std::string& extension, bool colour, Wrap across, Wrap down)
-    : picture_(picture_from(TemporaryPicture(encoded, extension).file(), colour)), across_(across), down_(down) {}
+    : picture_(picture_from(encoded, extension, colour)), across_(across), down_(down) {}
 
 glm::dvec3 MeshTexture::texel(long x, long y) const {
   const std::size_t column = std::size_t(wrapped(x, picture_.width, across_)), row = std::size_t(wrapped(y, picture_.height, down_));

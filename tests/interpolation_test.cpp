@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fstream>
 #include <numbers>
+#include <sstream>
 
 #include "bake/bake.h"
 #include "bake/framing.h"
@@ -158,6 +159,38 @@ TEST_F(Interpolated, RefusesFilesWithoutTheLists) {
   refused("bare.exr", "no part \"vertices\" (relume bake writes one; --interpolation phong needs none)");
   write("wild.exr", {{"main", {0, 0, 4, 4}, pixels, {}}, {"vertices", {0, 0, 3, 1}, surface, {}}, {"facets", {0, 0, 1, 1}, facets, {}}});
   refused("wild.exr", "a number of a vertex is 1065353216, beyond the list of 3");
+}
+
+TEST_F(Interpolated, FigureShowsTheLostHighlight) {
+  const std::vector<std::string> command{"figure", "interpolation", "-o", out("figure.svg"), "--csv", out("figure.csv"), "--device", "twin"};
+  ASSERT_EQ(run_program(command).code, 0);
+  EXPECT_TRUE(text_of_file(out("figure.svg")).starts_with("<?xml"));
+  std::istringstream csv(text_of_file(out("figure.csv")));
+  std::string line;
+  std::getline(csv, line);
+  EXPECT_EQ(line, "column,facet,gouraud,phong,gouraud_second_difference,phong_second_difference");
+  struct Row {
+    int column;
+    long long facet;
+    double gouraud, phong, bend;
+  };
+  std::vector<Row> rows;
+  while (std::getline(csv, line))
+    if (Row row{}; std::sscanf(line.c_str(), "%d,%lld,%lf,%lf,%lf", &row.column, &row.facet, &row.gouraud, &row.phong, &row.bend) == 5)
+      rows.push_back(row);
+  double gouraud = 0, phong = 0, within = 0, across = 0;
+  for (std::size_t i = rows.size() / 10; i < rows.size() * 9 / 10; ++i) {  // but for where the sphere turns away
+    gouraud = std::max(gouraud, rows[i].gouraud), phong = std::max(phong, rows[i].phong);
+    double& bend = rows[i - 1].facet == rows[i].facet && rows[i].facet == rows[i + 1].facet ? within : across;
+    bend = std::max(bend, std::abs(rows[i].bend));
+  }
+  EXPECT_GT(phong, 10 * gouraud);           // the highlight falls between vertices
+  EXPECT_GT(across, 10 * within);           // Gouraud's radiance bends at facets' edges alone
+  EXPECT_EQ(run_program(command).code, 5);  // exists
+  EXPECT_EQ(run_program({"figure", "interpolation", "-o", out("figure.txt")}).code, 2);
+  EXPECT_EQ(run_program({"figure", "interpolation", "-o", out("other.svg"), "--row", "9999"}).code, 2);
+  EXPECT_EQ(run_program({"figure", "interpolation", out("figure.csv"), "-o", out("other.svg")}).code, 2);
+  EXPECT_FALSE(std::filesystem::exists(out("other.svg")));
 }
 
 }  // namespace

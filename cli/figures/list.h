@@ -5,7 +5,9 @@
 
 namespace relume {
 
-#define RELUME_FIGURES(FIGURE) FIGURE(ks, "the greatest coefficient of Phong's and Blinn's lobes, from the kernels and from the formula")
+#define RELUME_FIGURES(FIGURE)                                                                                              \
+  FIGURE(interpolation, "Gouraud against Phong interpolation: pictures, a scan line, and their difference against density") \
+  FIGURE(ks, "the greatest coefficient of Phong's and Blinn's lobes, from the kernels and from the formula")
 
 #define RELUME_DECLARE_FIGURE(name, summary) void figure_##name(CLI::App& command, Action& action);
 RELUME_FIGURES(RELUME_DECLARE_FIGURE)
