@@ -15,8 +15,9 @@ struct SceneKind {
   bool linear_colours = false;  ///< of vertices: glTF's; PLY's and OBJ's are on the sRGB curve, as what writes them shows them
 };
 
-/// Every vertex that a face names exists: importers pass on what a file claims. Error{input}.
-void check_indices(const aiScene& scene, const std::string& name);
+/// Makes faces such that Assimp's own steps can work on them: importers pass on what a file claims. Those without vertices go, and no mesh says that
+/// it has polygons where it has none, for both end the program there; a face that names a vertex which is not there is Error{input}.
+void check_faces(aiScene& scene, const std::string& name);
 
 /// Every node's meshes, each where its node has it. Vertices alike in all they hold become one. Error{input}, with `name` as its place, for
 /// coordinates that are no numbers.

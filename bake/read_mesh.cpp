@@ -63,6 +63,11 @@ const aiScene& scene_of(Assimp::Importer& importer, const std::filesystem::path&
   return *scene;
 }
 
+const aiScene* triangulated(Assimp::Importer& importer, const std::string& name) {
+  const InForeignCode cutting(Foreign::mesh, name);
+  return importer.ApplyPostProcessing(aiProcess_Triangulate);
+}
+
 /// (x, y, z) becomes (x, -z, y) where a mesh with y up enters a world with z up, and back.
 glm::dmat4 world_from_file(const std::filesystem::path& file, const MeshOptions& options) {
   using Up = MeshOptions::Up;
@@ -98,8 +103,8 @@ Mesh read_mesh(const std::filesystem::path& file, const MeshOptions& options) {
   Mesh mesh;
   mesh.has_camera = read.HasCameras();
   if (read.HasAnimations()) mesh.notes.emplace_back("animations are not played: every node stands where the file has it at rest");
-  check_indices(read, name);
-  const aiScene* const triangles = importer.ApplyPostProcessing(aiProcess_Triangulate);
+  check_faces(const_cast<aiScene&>(read), name);  // the importer keeps it, to be worked on in place
+  const aiScene* const triangles = triangulated(importer, name);
   if (!triangles) throw Error(ErrorKind::input, name + ": its faces cannot be cut into triangles: " + why_not(importer));
   take_geometry(*triangles, world_from_file(file, options), {is_gltf(file)}, name, mesh);
   if (mesh.triangles.empty()) throw Error(ErrorKind::input, name + ": has no triangles (points, lines and faces without area are not baked)");

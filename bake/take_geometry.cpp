@@ -92,14 +92,6 @@ class MeshAtNode {
   std::unordered_map<std::array<float, 11>, std::uint32_t, BitsHash, BitsEqual> known_;
 };
 
-void check_faces(const aiMesh& mesh, const std::string& name) {
-  for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces))
-    for (const unsigned i : std::span(face.mIndices, face.mNumIndices))
-      if (i >= mesh.mNumVertices)
-        throw Error(ErrorKind::input, name + ": mesh \"" + printable(mesh.mName.C_Str()) + "\": a face names vertex " + std::to_string(i) +
-                                          " (there are " + std::to_string(mesh.mNumVertices) + ")");
-}
-
 /// A node and where its parent stands.
 struct Visit {
   const aiNode* node;
@@ -120,8 +112,18 @@ std::size_t drop_degenerate(Mesh& mesh) {
 
 }  // namespace
 
-void check_indices(const aiScene& scene, const std::string& name) {
-  for (const aiMesh* each : std::span(scene.mMeshes, scene.mNumMeshes)) check_faces(*each, name);
+void check_faces(aiScene& scene, const std::string& name) {
+  for (aiMesh* const mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {
+    for (const aiFace& face : std::span(mesh->mFaces, mesh->mNumFaces))
+      for (const unsigned i : std::span(face.mIndices, face.mNumIndices))
+        if (i >= mesh->mNumVertices)
+          throw Error(ErrorKind::input, name + ": mesh \"" + printable(mesh->mName.C_Str()) + "\": a face names vertex " + std::to_string(i) +
+                                            " (there are " + std::to_string(mesh->mNumVertices) + ")");
+    const auto end = std::remove_if(mesh->mFaces, mesh->mFaces + mesh->mNumFaces, [](const aiFace& face) { return face.mNumIndices == 0; });
+    mesh->mNumFaces = unsigned(end - mesh->mFaces);
+    if (std::none_of(mesh->mFaces, end, [](const aiFace& face) { return face.mNumIndices > 3; }))
+      mesh->mPrimitiveTypes &= ~unsigned(aiPrimitiveType_POLYGON);
+  }
 }
 
 void take_geometry(const aiScene& scene, const glm::dmat4& world_from_file, const SceneKind& kind, const std::string& name, Mesh& mesh) {

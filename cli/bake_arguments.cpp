@@ -17,7 +17,6 @@ namespace relume {
 namespace {
 
 constexpr double usual_fov = 40;  // degrees, of height: a portrait's to a normal lens
-constexpr int usual_width = 1280, usual_height = 720;
 
 glm::dvec3 point_of(const char* option, const std::string& text) {
   glm::dvec3 p(0);
@@ -60,11 +59,15 @@ void BakeArguments::add_to(CLI::App& command) {
   const auto from =
       command.add_option("--camera", camera, "of a rig, a glTF or another EXR; default: the mesh file's own, else one that frames the mesh")
           ->group(view);
-  command.add_option("--eye", eye, "X,Y,Z: where a camera is placed instead")->excludes(from)->group(view);
-  command.add_option("--target", target, "X,Y,Z: what it looks at; default: the mesh's middle")->excludes(from)->group(view);
+  const auto placed = command.add_option("--eye", eye, "X,Y,Z: where a camera is placed instead")->excludes(from)->group(view);
+  command.add_option("--target", target, "X,Y,Z: what it looks at; default: the mesh's middle")->needs(placed)->group(view);
   command.add_option("--fov", fov, "its field of view, degrees from top to bottom (default 40)")->check(CLI::Range(0.01, 179.0))->group(view);
   command.add_option("--orthographic", height, "it sees parallel rays, so many units from top to bottom")->check(CLI::PositiveNumber)->group(view);
-  command.add_option("--size", size, "WxH pixels; default: the camera's own where an EXR tells it, else 1280x720")->group(view);
+  command
+      .add_option(
+          "--size", size,
+          "WxH pixels; default: the camera's own where an EXR tells it, else " + std::to_string(usual_width) + "x" + std::to_string(usual_height))
+      ->group(view);
   command.add_option("--normals", normals, "the file's (default; smooth where it has none), or made: smooth or flat")
       ->check(CLI::IsMember({"stored", "smooth", "flat"}))
       ->group(mesh);
@@ -129,7 +132,7 @@ View BakeArguments::camera_from_file(const std::string& file) const {
 
 View BakeArguments::view_of(const Mesh& mesh, const std::string& mesh_file, std::vector<std::string>& notes) const {
   View view;
-  const bool own = mesh.has_camera && camera.empty() && eye.empty() && target.empty();
+  const bool own = mesh.has_camera && camera.empty() && eye.empty();
   if (!camera.empty() || own) {
     view = camera_from_file(own ? mesh_file : camera);
     if (own) notes.push_back("the camera is the mesh file's own (--camera or --eye choose another)");

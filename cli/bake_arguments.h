@@ -19,6 +19,7 @@ struct View {
 struct BakeArguments {
   std::string camera, size, eye, target, normals, mesh_up, world_up;
   double fov = 0, height = 0;
+  int usual_width = 1280, usual_height = 720;  ///< where neither --size nor the camera tells
 
   void add_to(CLI::App& command);
   /// Error{input} for options that contradict each other, or are no numbers; before any file is read.

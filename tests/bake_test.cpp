@@ -251,6 +251,11 @@ TEST_F(BakedMesh, RefusesWhatIsNoMeshInOneLine) {
                                   "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n4 0 1 2 77\n",
                                   {},
                                   "a face names vertex 77 (there are 3)"},
+                                 {"faceless.ply",
+                                  "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+                                  "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n0\n",
+                                  {},
+                                  "faceless.ply: has no triangles"},
                                  {"good.obj", triangle.c_str(), {"--size", "0x5"}, "--size 0x5: is not WxH"},
                                  {"good.obj", triangle.c_str(), {"--size", "999999x999999"}, "--size 999999x999999: is "},
                                  {"good.obj", triangle.c_str(), {"--eye", "1,1"}, "--eye 1,1: is not X,Y,Z"},

@@ -62,9 +62,7 @@ void write_text(const std::string& file, const std::string& text, bool overwrite
 void bake_to(const std::filesystem::path& file, const Arguments& a, std::vector<std::string>& notes) {
   Mesh mesh = a.input.empty() ? sphere_mesh(3) : read_mesh(a.input, a.view.mesh_options());
   notes = mesh.notes;
-  BakeArguments view = a.view;
-  if (view.size.empty()) view.size = "480x480";  // as large as it is drawn
-  const View seen = view.view_of(mesh, a.input, notes);
+  const View seen = a.view.view_of(mesh, a.input, notes);
   BakeJob job;
   job.output = file;
   job.camera = seen.camera;
@@ -139,7 +137,13 @@ void figure_interpolation(CLI::App& command, Action& action) {
   command.add_flag("--overwrite", a->overwrite, "replace existing files");
   command.add_flag("--quiet", a->quiet, "no notes");
   command.add_option("--device", a->device, "as for relume shade");
+  a->view.usual_width = a->view.usual_height = 480;  // as large as it is drawn
   a->view.add_to(command);
+  command.footer(
+      "Examples:\n"
+      "  relume figure interpolation -o figure.svg                              a coarse sphere: the lost highlight, Mach bands\n"
+      "  relume figure interpolation mesh.glb -l rig.json -o figure.png         a mesh under a rig\n"
+      "  relume figure interpolation --density --csv table.csv -o figure.pdf    how fast the two agree on finer spheres");
   command.callback([a, &action] { action = [a] { return draw_interpolation(*a); }; });
 }
 
