@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <map>
 #include <numbers>
@@ -67,14 +68,18 @@ TEST(DirectionalAlbedo, AgreesWithTablesInDoublePrecision) {
   std::string line;
   std::getline(in, line);
   int rows = 0;
+  double worst = 0;
   while (std::getline(in, line)) {
     const std::vector<std::string> cells = parts_of(line, ',');
     if (!kModels.contains(cells[0])) continue;
     const Model& model = kModels.at(cells[0]);
     const Brdf brdf(model.brdf, settings_of(model, cells[1]), lab_device("twin"));
-    EXPECT_NEAR(directional_albedo(brdf, std::stod(cells[2])).value.x, std::stod(cells[3]), 1e-5) << line;
+    const double off = std::abs(directional_albedo(brdf, std::stod(cells[2])).value.x - std::stod(cells[3]));
+    EXPECT_LE(off, 1e-5) << line;
+    worst = std::max(worst, off);
     ++rows;
   }
+  std::printf("directional albedos: %d rows, at most %.1g off\n", rows, worst);
   EXPECT_GT(rows, 200);
 }
 

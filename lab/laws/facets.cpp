@@ -1,5 +1,6 @@
 // A microfacet lobe is its factors: f_r n.l = D G F/(4 n.v). With D normalised, G and F at most 1 (lab/term_laws.h), this leaves no constant free.
 #include <algorithm>
+#include <cstdio>
 
 #include "lab/direction_pairs.h"
 #include "lab/laws/list.h"
@@ -18,8 +19,10 @@ double width_in(const Setting& setting) {
   return !alpha.empty() ? std::stod(alpha) : roughness.empty() ? 0.25 : std::pow(std::stod(roughness), 2);  // else the default's
 }
 
-Factors factors_of(const Examined& lobe, const Setting& setting, const std::vector<std::string>& arguments) {
-  Factors factors{value_in(setting, "distribution"), {"alpha=" + std::to_string(width_in(setting))}};
+Factors factors_of(const Setting& setting, const std::vector<std::string>& arguments) {
+  char width[40];
+  std::snprintf(width, sizeof width, "alpha=%.9g", width_in(setting));
+  Factors factors{value_in(setting, "distribution"), {width}};
   for (const std::string& argument : arguments) {
     if (find_term(distributions(), argument)) factors.distribution = argument;
     if (find_term(shadowings(), argument)) factors.set.push_back("shadowing=" + argument);
@@ -29,7 +32,6 @@ Factors factors_of(const Examined& lobe, const Setting& setting, const std::vect
   if (fresnel.empty()) return {factors.distribution, with_others(factors.set, {"fresnel=none", "ks=1"})};
   for (const std::string& assignment : setting)
     if (!assignment.starts_with("alpha=") && !assignment.starts_with("roughness=")) factors.set.push_back(assignment);
-  (void)lobe;
   return factors;
 }
 
@@ -56,7 +58,7 @@ Deviation law_facets(const Examined& lobe, const std::vector<std::string>& argum
   std::sort(settings.begin(), settings.end());
   settings.erase(std::unique(settings.begin(), settings.end()), settings.end());
   for (const Setting& setting : settings) {
-    const Factors factors = factors_of(lobe, setting, arguments);
+    const Factors factors = factors_of(setting, arguments);
     const std::vector<Reflectance> values = lobe.with(setting)(pairs);
     const std::vector<TermValues> terms = lobe.terms(factors.distribution, factors.set)(pairs);
     for (std::size_t i = 0; i < pairs.size(); ++i)
