@@ -2,6 +2,7 @@
 #include "bench/image_check.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "gbuffer/error.h"
@@ -42,7 +43,41 @@ std::string compare(const Planes& here, const Planes& there, const DeviceInfo& i
   return text;
 }
 
+/// A copy of which only one of `each` blocks shows a surface.
+Planes some_blocks(const ResidentFrame& resident, int each) {
+  const Planes& from = resident.gbuffer().planes;
+  Planes some(from.pixels(), from.count());
+  some.add(from.count());
+  std::copy_n(from.data(), from.stride() * std::size_t(from.count()), some.data());
+  float* const program = some.plane(resident.frame().program_plane);
+  for (int i = 0; i < resident.frame().pixels; ++i)
+    if (i / RELUME_LISTED_PIXELS % each != 0) program[i] = -1;
+  return some;
+}
+
 }  // namespace
+
+std::string check_cut_image(Device& device, const ResidentFrame& frame, double error) {
+  constexpr double most = 1.5e9;  // pixels times lights: a second or two
+  const int each = int(std::ceil(frame.frame().pixels * double(frame.lights()) / most));
+  const Planes cut = shaded(device, frame, frame.frame().pixels, true), some = some_blocks(frame, each);
+  Planes brute = frame.make_out();
+  BandData data = frame.data(brute);
+  data.planes = &some;
+  const auto band = device.bind(data);
+  band->shade(frame.choice(), frame.frame(), {});
+  band->finish();
+  double worst = 0;
+  for (int c = 0; c < 3; ++c)
+    for (int i = 0; i < frame.frame().pixels; ++i) {
+      const double exact = brute.plane(c)[i], off = std::fabs(cut.plane(c)[i] - exact);
+      if (some.plane(frame.frame().program_plane)[i] >= 0 && off > 0) worst = std::max(worst, exact > 0 ? off / exact : 1.0);
+    }
+  if (worst > error) throw Error(ErrorKind::device, device.info().name + ": not timed, the light tree is off by " + std::to_string(worst));
+  char text[64];
+  std::snprintf(text, sizeof text, "within %.2g (1 of %d pixels)", worst, each);
+  return text;
+}
 
 std::string check_image(Device& device, const ResidentFrame& frame, int pixels) {
   return compare(shaded(device, frame, pixels, false), shaded(*open_twin(), frame, pixels, false), device.info(), pixels);

@@ -14,4 +14,8 @@ std::string check_image(Device& device, const ResidentFrame& frame, int pixels);
 /// The same of all pixels where lights are taken from lists; and of the first where the twin meets every light: culling may not show.
 std::string check_culled_image(Device& device, const ResidentFrame& frame);
 
+/// Where lights are met through a light tree: the largest error, as a share of each channel of each pixel, against every light, on as many blocks of
+/// the frame, evenly spread, as take seconds: "within 0.0021 (1 of 7 pixels)". Throws Error{device} where it is above `error`.
+std::string check_cut_image(Device& device, const ResidentFrame& frame, double error);
+
 }  // namespace relume::bench

@@ -39,13 +39,19 @@ ResidentFrame::ResidentFrame(const FrameSource& source, const Material& material
   tables_ = binding.tables();
 }
 
-void ResidentFrame::set_lights(const std::vector<Light>& lights) {
+void ResidentFrame::set_lights(const std::vector<Light>& lights, double error) {
   lights_ = light_records(lights);
-  sorted_ = {lights_.records, lights_.begin};
+  records_ = lights_.records;
+  error_ = error;
+  tree_ = error > 0 ? LightTree(records_, lights_.begin) : LightTree();
+  sorted_ = {lights_.records, lights_.begin, tree_};
   std::copy(lights_.begin.begin(), lights_.begin.end(), frame_.light_begin);
 }
 
 int ResidentFrame::list_lights(LightLists& lists) const {
+  if (!tree_.empty())
+    return lists.add(gbuffer_.planes, frame_, gbuffer_.window.width(), sorted_, LightCuts(tree_, {&choice_, 1}, tables_, error_),
+                     LightLists::room_beside(gbuffer_.planes) + LightLists::room_for_cuts(gbuffer_.planes));
   return lists.add(gbuffer_.planes, frame_, gbuffer_.window.width(), sorted_, LightLists::room_beside(gbuffer_.planes));
 }
 

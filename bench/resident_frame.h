@@ -27,8 +27,8 @@ class ResidentFrame {
   /// Binds the material to the frame's layers; parameters without a layer take their defaults.
   ResidentFrame(const FrameSource& source, const Material& material);
 
-  /// Other lights: the pixels stay.
-  void set_lights(const std::vector<Light>& lights);
+  /// Other lights: the pixels stay. `error`: through a light tree (host/light_cuts.h); 0: exact.
+  void set_lights(const std::vector<Light>& lights, double error = 0);
 
   const Choice& choice() const { return choice_; }
   const Frame& frame() const { return frame_; }
@@ -37,7 +37,7 @@ class ResidentFrame {
   /// Planes to shade into: total light, three planes.
   Planes make_out() const;
   /// `lists`: of list_lights, where Frame::lists says so.
-  BandData data(Planes& out, std::span<const int> lists = {}) const { return {&gbuffer_.planes, lights_.records, lists, tables_, &out}; }
+  BandData data(Planes& out, std::span<const int> lists = {}) const { return {&gbuffer_.planes, records_, lists, tables_, &out}; }
   /// Which lights can reach which pixels, worked out anew: what Frame::lists is to be.
   int list_lights(LightLists& lists) const;
 
@@ -47,6 +47,9 @@ class ResidentFrame {
   Choice choice_{};
   std::vector<float> tables_;
   LightRecords lights_;
+  std::vector<LightRecord> records_;  ///< the lights', and behind them what stands in for clusters of them
+  double error_ = 0;
+  LightTree tree_;
   SortedLights sorted_;
 };
 

@@ -51,9 +51,11 @@ Subject resident_subject(const std::string& name, const std::shared_ptr<const Re
   return {name, run, work_of(*frame, double(frame->gbuffer().surface_pixels) * frame->lights()), verdict, roof};
 }
 
-Subject culled_subject(const std::string& name, const std::shared_ptr<const ResidentFrame>& frame, const std::shared_ptr<Device>& device,
-                       const Roof& roof, double lit_pairs) {
-  const std::string verdict = check_culled_image(*device, *frame);
+namespace {
+
+/// Lists made anew in each go.
+Subject listed_subject(const std::string& name, const std::shared_ptr<const ResidentFrame>& frame, const std::shared_ptr<Device>& device,
+                       const Roof& roof, double lit_pairs, const std::string& verdict) {
   const auto out = std::make_shared<Planes>(frame->make_out());
   const int threads = std::clamp(roof.threads, 1, int(std::max(1u, std::thread::hardware_concurrency())));
   const auto arena = std::make_shared<tbb::task_arena>(threads);  // lists are made on as many threads as the device has
@@ -66,6 +68,24 @@ Subject culled_subject(const std::string& name, const std::shared_ptr<const Resi
     band->finish();
   };
   return {name, [=] { arena->execute(shade); }, work_of(*frame, lit_pairs), verdict, roof};
+}
+
+}  // namespace
+
+Subject culled_subject(const std::string& name, const std::shared_ptr<const ResidentFrame>& frame, const std::shared_ptr<Device>& device,
+                       const Roof& roof, double lit_pairs) {
+  return listed_subject(name, frame, device, roof, lit_pairs, check_culled_image(*device, *frame));
+}
+
+Subject cut_subject(const std::string& name, const std::shared_ptr<const ResidentFrame>& frame, const std::shared_ptr<Device>& device,
+                    const Roof& roof, double error) {
+  LightLists lists;
+  Frame listed = frame->frame();
+  listed.lists = frame->list_lights(lists);
+  const double met = double(lights_met(listed, lists.numbers())) * double(frame->gbuffer().surface_pixels);
+  Subject subject = listed_subject(name, frame, device, roof, met, check_cut_image(*device, *frame, error));
+  subject.work.pixel_lights.push_back({"met", met});
+  return subject;
 }
 
 }  // namespace relume::bench

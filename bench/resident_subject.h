@@ -24,4 +24,8 @@ Subject resident_subject(const std::string& name, const std::shared_ptr<const Re
 Subject culled_subject(const std::string& name, const std::shared_ptr<const ResidentFrame>& frame, const std::shared_ptr<Device>& device,
                        const Roof& roof, double lit_pairs);
 
+/// Lights met through a light tree, cut anew in each go; the tree is made once.
+Subject cut_subject(const std::string& name, const std::shared_ptr<const ResidentFrame>& frame, const std::shared_ptr<Device>& device,
+                    const Roof& roof, double error);
+
 }  // namespace relume::bench

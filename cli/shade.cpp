@@ -17,7 +17,7 @@ namespace {
 struct ShadeArguments {
   std::string gbuffer, output, materials, png, layers, crop, diffuse = "auto", specular = "auto", edges = "mend", precision = "exact", device,
                                                              interpolation = "phong", compression = "zip", units, up, range, scale = "auto",
-                                                             memory = "2G";
+                                                             memory = "2G", error = "0";
   std::vector<std::string> rigs, set;
   double exposure = 0;
   bool half = false, full = false, overwrite = false, quiet = false, json = false;
@@ -47,6 +47,15 @@ double scale_of(const std::string& text) {
   if (error != std::errc{} || end != text.data() + text.size() || !(scale > 0) || !(scale < 1e9))
     throw Error(ErrorKind::input, "--rig-scale " + text + ": is not auto or a number above 0 (100: metres in a world of centimetres)");
   return scale;
+}
+
+/// "0", "0.01"
+double error_of(const std::string& text) {
+  double share = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), share);
+  if (error != std::errc{} || end != text.data() + text.size() || !(share >= 0) || !(share < 1))
+    throw Error(ErrorKind::input, "--error " + text + ": is not a share, at least 0 and below 1 (0: exact; 0.01: within 1%)");
+  return share;
 }
 
 Window window_of(const std::string& text) {
@@ -96,6 +105,7 @@ RelightJob job_of(const ShadeArguments& a) {
   job.format = {a.half ? SampleType::half_float : SampleType::float32, a.compression, a.overwrite};
   if (!a.png.empty()) job.png = a.png;
   job.exposure = a.exposure;
+  job.error = error_of(a.error);
   job.device = a.device;
   job.precision = a.precision == "relaxed" ? Precision::relaxed : Precision::exact;
   job.memory = bytes_of(a.memory);
@@ -197,6 +207,11 @@ void add_shade(CLI::App& command, Action& action) {
           "--precision", a->precision,
           "exact: every device rounds alike; relaxed: what the driver's compiler makes faster, with an error of some 1e-5 (docs/portability.md)")
       ->check(CLI::IsMember({"exact", "relaxed"}))
+      ->capture_default_str();
+  command
+      .add_option(
+          "--error", a->error,
+          "for speed under thousands of unranged point lights: the share of itself that a channel of a pixel may be off by (0.01: 1%); 0: exact")
       ->capture_default_str();
   command.add_option("--memory", a->memory, "for the planes of the bands in flight: decoded, shaded and encoded at the same time")
       ->capture_default_str();

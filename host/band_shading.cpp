@@ -9,9 +9,16 @@
 
 namespace relume {
 
-BandShading::BandShading(Device& device, const Binding& binding, const LightLinks& lights, const OutputLayout& layout, const Reading& reading)
-    : device_(device), binding_(binding), lights_(lights), layout_(layout), reading_(reading) {
-  for (const LightGroup& group : lights.groups()) sorted_.emplace_back(lights.records(), group.begin);
+BandShading::BandShading(Device& device, const Binding& binding, const LightLinks& lights, const OutputLayout& layout, const Reading& reading,
+                         double error)
+    : device_(device), binding_(binding), lights_(lights), layout_(layout), reading_(reading), error_(error), records_(lights.records()) {
+  // A bumped normal's shadow is no part of the lobes that are bounded.
+  const bool bounded = reading.bump_shadowing == BumpShadowing::none || !reading.roles.contains("base_normal");
+  for (const LightGroup& group : lights.groups()) {
+    trees_.push_back(error > 0 && bounded ? LightTree(records_, group.begin) : LightTree());
+    sorted_.emplace_back(lights.records(), group.begin, trees_.back());
+    statistics_.lights += int(trees_.back().order().size());
+  }
 }
 
 Frame BandShading::frame_of(const GBuffer& gbuffer, const Planes& out) const {
@@ -34,13 +41,14 @@ void BandShading::add_irradiance(GBuffer& gbuffer, Irradiance& irradiance, const
   frame.program = 0;
   binding_.bind_irradiance(gbuffer, frame);
   LightLists lists;
-  const std::vector<int> starts = list_lights(gbuffer, frame, lists);
-  const auto band = device_.bind({&gbuffer.planes, lights_.records(), lists.numbers(), binding_.tables(), &out});
+  const Choice lambert{DIFFUSE_lambert, SPECULAR_none, 0, 0, 0};
+  const std::vector<int> starts = list_lights(gbuffer, frame, {&lambert, 1}, lists);
+  const auto band = device_.bind({&gbuffer.planes, records_, lists.numbers(), binding_.tables(), &out});
   for (std::size_t g = 0; g < groups.size(); ++g) {
     std::copy(groups[g].begin.begin(), groups[g].begin.end(), frame.light_begin);
     frame.lists = starts[g];
     frame.total = 3 * int(g);
-    band->shade({DIFFUSE_lambert, SPECULAR_none, 0, 0, 0}, frame, progress);
+    band->shade(lambert, frame, progress);
   }
   band->finish();
   for (std::size_t g = 1; g < groups.size(); ++g) add_weighed(out, 3 * int(g), 0, weights_of(groups[g], gbuffer));
@@ -59,9 +67,9 @@ void BandShading::shade(GBuffer& gbuffer, Planes& out, Stopwatch& watch, const P
   binding_.bind(gbuffer, *reading_.camera, bound);
   watch.lap("bind");
   LightLists lists;
-  const std::vector<int> starts = list_lights(gbuffer, bound, lists);
+  const std::vector<int> starts = list_lights(gbuffer, bound, binding_.programs(), lists);
   watch.lap("cull");
-  const auto band = device_.bind({&gbuffer.planes, lights_.records(), lists.numbers(), binding_.tables(), &out});
+  const auto band = device_.bind({&gbuffer.planes, records_, lists.numbers(), binding_.tables(), &out});
   for (std::size_t g = 0; g < lights_.groups().size(); ++g) {
     Frame frame = bound;
     aim(frame, g);
@@ -77,10 +85,22 @@ void BandShading::shade(GBuffer& gbuffer, Planes& out, Stopwatch& watch, const P
 }
 
 /// Each group's Frame::lists.
-std::vector<int> BandShading::list_lights(const GBuffer& gbuffer, const Frame& frame, LightLists& lists) const {
+std::vector<int> BandShading::list_lights(const GBuffer& gbuffer, const Frame& frame, std::span<const Choice> programs, LightLists& lists) const {
   const std::size_t most = LightLists::room_beside(gbuffer.planes);
   std::vector<int> starts;
-  for (const SortedLights& group : sorted_) starts.push_back(lists.add(gbuffer.planes, frame, gbuffer.window.width(), group, most));
+  for (std::size_t g = 0; g < sorted_.size(); ++g) {
+    Frame of_group = frame;
+    std::copy(lights_.groups()[g].begin.begin(), lights_.groups()[g].begin.end(), of_group.light_begin);
+    if (trees_[g].empty()) {
+      starts.push_back(lists.add(gbuffer.planes, frame, gbuffer.window.width(), sorted_[g], most));
+      continue;
+    }
+    const LightCuts cuts(trees_[g], programs, binding_.tables(), error_);
+    of_group.lists = lists.add(gbuffer.planes, frame, gbuffer.window.width(), sorted_[g], cuts, most + LightLists::room_for_cuts(gbuffer.planes));
+    starts.push_back(of_group.lists);
+    statistics_.pixels += frame.pixels, statistics_.met += frame.pixels * lights_met(of_group, lists.numbers());
+    if (of_group.lists == 0) statistics_.exact += frame.pixels;
+  }
   return starts;
 }
 

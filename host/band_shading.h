@@ -16,8 +16,8 @@ namespace relume {
 
 class BandShading {
  public:
-  /// All of them outlive it.
-  BandShading(Device& device, const Binding& binding, const LightLinks& lights, const OutputLayout& layout, const Reading& reading);
+  /// All of them outlive it. `error`: share of itself that a pixel's radiance may be off by, through a light tree; 0: exact.
+  BandShading(Device& device, const Binding& binding, const LightLinks& lights, const OutputLayout& layout, const Reading& reading, double error);
 
   /// Planes of `out` that shade() needs: the layout's own, and behind them the colours of each linked group of lights.
   int planes() const { return layout_.planes() + linked_planes(); }
@@ -35,13 +35,19 @@ class BandShading {
 
   /// Shades a band into planes() planes of `out`; laps "bind", "shade" and "link". `progress` counts pixels times rounds().
   void shade(GBuffer& gbuffer, Planes& out, Stopwatch& watch, const Progress& progress) const;
+  /// What light trees made of the bands so far.
+  struct TreeStatistics {
+    int lights = 0;                               ///< that trees take care of
+    std::int64_t pixels = 0, met = 0, exact = 0;  ///< shaded; lights and stand-ins that they met; pixels whose cuts did not fit
+  };
+  const TreeStatistics& tree_statistics() const { return statistics_; }
   /// How often each pixel is shaded for the total.
   double rounds() const { return double(binding_.programs().size() * lights_.groups().size()); }
 
  private:
   int linked_planes() const { return int(lights_.groups().size() - 1) * layout_.colours() * 3; }
   Frame frame_of(const GBuffer& gbuffer, const Planes& out) const;
-  std::vector<int> list_lights(const GBuffer& gbuffer, const Frame& frame, LightLists& lists) const;
+  std::vector<int> list_lights(const GBuffer& gbuffer, const Frame& frame, std::span<const Choice> programs, LightLists& lists) const;
   void aim(Frame& frame, std::size_t group) const;
   void shade_programs(Band& band, Frame& frame, const Progress& progress) const;
   void shade_lights(Band& band, Frame frame, const Progress& progress) const;
@@ -52,8 +58,12 @@ class BandShading {
   const LightLinks& lights_;
   const OutputLayout& layout_;
   const Reading& reading_;
+  const double error_;
   std::vector<glm::dvec3> ambient_;   ///< of each group
+  std::vector<LightTree> trees_;      ///< of each group
+  std::vector<LightRecord> records_;  ///< the lights', and behind them what stands in for clusters of them
   std::vector<SortedLights> sorted_;  ///< of each group
+  mutable TreeStatistics statistics_;
 };
 
 }  // namespace relume

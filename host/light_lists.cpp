@@ -45,6 +45,27 @@ class SuperTile {
         }
   }
 
+  /// Once more for tiles, each with its cut behind the lights that are near it.
+  void list(const PixelCells& pixels, const SortedLights& lights, const LightCuts& cuts, Listed& listed) const {
+    if (is_empty(all_)) return;
+    thread_local LightReach near, nearer;
+    thread_local std::vector<PixelPatch> patches;
+    lights.reach.members_near(all_, lights.spheres, SortedLights::clustered, near);
+    for (int t = 0; t < tiles; ++t)
+      for (int c = 0; c < PixelCells::super_columns; ++c) {
+        if (is_empty(tile_[t][c])) continue;
+        near.near(tile_[t][c], nearer);
+        for (int k = 0; k < cells; ++k) {
+          if (is_empty(cell_[t][c][k])) continue;
+          add(listed, {y_of(t, k), column_ + c, PixelCells::cell_rows, 1, 0, 0}, nearer, cell_[t][c][k], true);
+          patches.clear();
+          add_patches(pixels, y_of(t, k), column_ + c, PixelCells::cell_rows, cuts.most_turn(), patches);
+          cuts.add_cut(patches, listed.numbers);
+          listed.lists.back().end = int(listed.numbers.size());
+        }
+      }
+  }
+
   void list(const SortedLights& lights, Sharing sharing, Listed& listed) const {
     if (is_empty(all_)) return;
     thread_local LightReach near, nearer;
@@ -100,11 +121,30 @@ int append(const PixelCells& pixels, const std::vector<Listed>& listed, std::vec
 
 }  // namespace
 
-SortedLights::SortedLights(std::span<const LightRecord> lights, std::span<const int, LIGHT_COUNT + 1> begin)
-    : reach(LightReach(lights, begin).in_space_order()), spheres(reach.spheres_around(clustered)) {}
+namespace {
+
+/// Without those of the tree, whose numbers come cluster by cluster.
+LightReach reach_without(std::span<const LightRecord> lights, std::span<const int, LIGHT_COUNT + 1> begin, const LightTree& tree) {
+  std::vector<int> others(tree.order().begin(), tree.order().end());
+  std::sort(others.begin(), others.end());
+  return LightReach(lights, begin, others).in_space_order();
+}
+
+}  // namespace
+
+SortedLights::SortedLights(std::span<const LightRecord> lights, std::span<const int, LIGHT_COUNT + 1> begin, const LightTree& tree)
+    : reach(reach_without(lights, begin, tree)), spheres(reach.spheres_around(clustered)) {}
 
 int LightLists::add(const Planes& planes, const Frame& frame, int width, const SortedLights& lights, std::size_t most) {
   if (!lights.reach.any_bounded() || lights.reach.size() < too_few) return 0;
+  return add_lists(planes, frame, width, lights, nullptr, most);
+}
+
+int LightLists::add(const Planes& planes, const Frame& frame, int width, const SortedLights& lights, const LightCuts& cuts, std::size_t most) {
+  return add_lists(planes, frame, width, lights, &cuts, most);
+}
+
+int LightLists::add_lists(const Planes& planes, const Frame& frame, int width, const SortedLights& lights, const LightCuts* cuts, std::size_t most) {
   const PixelCells pixels(planes, frame, width);
   const int count = pixels.super_tiles_across() * pixels.super_tiles_down();
   for (const Sharing sharing : {Sharing::cell, Sharing::tile, Sharing::super_tile}) {
@@ -112,10 +152,14 @@ int LightLists::add(const Planes& planes, const Frame& frame, int width, const S
     std::atomic<std::size_t> total = numbers_.size() + 2 * std::size_t(pixels.blocks());
     tbb::parallel_for(0, count, [&](int t) {
       if (total > most) return;
-      SuperTile(pixels, t).list(lights, sharing, listed[std::size_t(t)]);
+      if (cuts)
+        SuperTile(pixels, t).list(pixels, lights, *cuts, listed[std::size_t(t)]);
+      else
+        SuperTile(pixels, t).list(lights, sharing, listed[std::size_t(t)]);
       total += listed[std::size_t(t)].numbers.size();
     });
     if (total <= most) return append(pixels, listed, numbers_);
+    if (cuts) return 0;
   }
   return 0;
 }

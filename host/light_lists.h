@@ -9,6 +9,7 @@
 
 #include "gbuffer/planes.h"
 #include "host/frame.h"
+#include "host/light_cuts.h"
 #include "host/light_reach.h"
 
 namespace relume {
@@ -20,7 +21,9 @@ struct SortedLights {
 
   SortedLights() = default;
   /// The lights [begin[0], begin[LIGHT_COUNT]).
-  SortedLights(std::span<const LightRecord> lights, std::span<const int, LIGHT_COUNT + 1> begin);
+  SortedLights(std::span<const LightRecord> lights, std::span<const int, LIGHT_COUNT + 1> begin) : SortedLights(lights, begin, {}) {}
+  /// But those that a tree takes care of.
+  SortedLights(std::span<const LightRecord> lights, std::span<const int, LIGHT_COUNT + 1> begin, const LightTree& tree);
 
   LightReach reach;    ///< neighbours in space together
   LightReach spheres;  ///< around each `clustered` of them
@@ -34,14 +37,21 @@ class LightLists {
   /// Lists the lights for the pixels of `frame`, whose rows are `width` long. At most `most` numbers are kept: where
   /// lights are dense, larger groups of pixels share a list. Returns what Frame::lists is to be: 0 where nothing can be culled, or no list fits.
   int add(const Planes& planes, const Frame& frame, int width, const SortedLights& lights, std::size_t most);
+  /// With cuts through a light tree, tile by tile, behind the lights that are listed. Where they do not fit, 0: every light is met.
+  int add(const Planes& planes, const Frame& frame, int width, const SortedLights& lights, const LightCuts& cuts, std::size_t most);
 
   /// Numbers that may be kept beside these planes: a quarter of the memory that they take.
   static std::size_t room_beside(const Planes& planes) { return planes.bytes() / sizeof(int) / 4; }
+
+  /// The same where there are cuts, which hundreds of stand-ins pass: eight times as much memory as the planes take.
+  static std::size_t room_for_cuts(const Planes& planes) { return 8 * planes.bytes() / sizeof(int); }
 
   /// What the kernels read: for each block the positions in it where its list begins and ends, and the lists, light numbers ascending.
   std::span<const int> numbers() const { return numbers_; }
 
  private:
+  int add_lists(const Planes& planes, const Frame& frame, int width, const SortedLights& lights, const LightCuts* cuts, std::size_t most);
+
   std::vector<int> numbers_{0};  // a Frame whose `lists` is 0 has none
 };
 

@@ -75,9 +75,10 @@ std::uint32_t spread(std::uint32_t v) {
 
 }  // namespace
 
-LightReach::LightReach(std::span<const LightRecord> lights, std::span<const int, LIGHT_COUNT + 1> begin) {
+LightReach::LightReach(std::span<const LightRecord> lights, std::span<const int, LIGHT_COUNT + 1> begin, std::span<const int> others) {
   for (int type = 0; type < LIGHT_COUNT; ++type)
     for (int k = begin[std::size_t(type)]; k < begin[std::size_t(type) + 1]; ++k) {
+      if (std::binary_search(others.begin(), others.end(), k)) continue;
       const LightRecord& r = lights[std::size_t(k)];
       const bool directional = type == LIGHT_directional, spot = type == LIGHT_spot;
       const float outer = r.cone == CONE_linear ? std::cos(r.outer) : r.outer, sign = directional ? -1.0f : 1.0f;

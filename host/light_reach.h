@@ -15,7 +15,9 @@ class LightReach {
  public:
   LightReach() = default;
   /// The lights [begin[0], begin[LIGHT_COUNT]) of the records.
-  LightReach(std::span<const LightRecord> lights, std::span<const int, LIGHT_COUNT + 1> begin);
+  LightReach(std::span<const LightRecord> lights, std::span<const int, LIGHT_COUNT + 1> begin) : LightReach(lights, begin, {}) {}
+  /// But those of `others`, ascending numbers.
+  LightReach(std::span<const LightRecord> lights, std::span<const int, LIGHT_COUNT + 1> begin, std::span<const int> others);
 
   std::size_t size() const { return light_.size(); }
   /// Whether distance can put a light out of reach.

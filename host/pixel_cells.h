@@ -21,6 +21,8 @@ class PixelCells {
 
   PixelCells(const Planes& planes, const Frame& frame, int width);
 
+  const Planes& planes() const { return planes_; }
+  const Frame& frame() const { return frame_; }
   int blocks() const { return blocks_; }
   int super_tiles_across() const { return (columns_ + super_columns - 1) / super_columns; }
   int super_tiles_down() const { return (rows_ + super_rows - 1) / super_rows; }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <sstream>
 
 #include "gbuffer/convention.h"
 #include "gbuffer/error.h"
@@ -46,6 +47,20 @@ struct BandInWork {
   GBuffer gbuffer;
   Planes out;
 };
+
+/// What --error came to.
+std::string tree_sentence(double error, const BandShading::TreeStatistics& tree) {
+  std::ostringstream text;
+  if (tree.lights == 0) {
+    text << "error " << error << ": exact all the same: a light tree needs 64 unranged point lights at least, none of negative intensity, and no "
+         << "bump shadowing";
+    return text.str();
+  }
+  text << "error " << error << ": each channel of each pixel is within " << 100 * error << "% of brute force; of " << tree.lights
+       << " unranged lights a pixel meets " << (tree.pixels > 0 ? tree.met / tree.pixels : 0) << " lights and stand-ins in the mean";
+  if (tree.exact > 0) text << "; " << tree.exact << " pixels, whose lists did not fit into --memory, are exact";
+  return text.str();
+}
 
 /// One relight in progress: what the stages share.
 class Relight {
@@ -106,6 +121,7 @@ class Relight {
 
 /// What can be refused before any work.
 void Relight::check_job() const {
+  if (!(job_.error >= 0 && job_.error < 1)) throw Error(ErrorKind::input, "error: is not a share, at least 0 and below 1");
   if (job_.png && !job_.format.overwrite && std::filesystem::exists(*job_.png))
     throw Error(ErrorKind::output, job_.png->string() + ": exists (--overwrite replaces it)");
 }
@@ -157,7 +173,7 @@ void Relight::open() {
   if (device_->info().precision == Precision::relaxed)
     note("relaxed precision: the picture differs from the exact one in rounding (docs/portability.md)");
   layout_ = layout_of(job_, *lights_);
-  shading_.emplace(*device_, *binding_, *lights_, layout_, reading_);
+  shading_.emplace(*device_, *binding_, *lights_, layout_, reading_, job_.error);
   if (job_.interpolation != Interpolation::phong) mesh_.emplace(file_, reading_, job_.interpolation, layout_, job_.memory);
   watch_.lap("compile");
 }
@@ -289,6 +305,7 @@ void Relight::shade_and_write() {
   run_bands(output);
   if (summary_.bad_pixels)
     note("warning: " + std::to_string(summary_.bad_pixels) + " pixels have a NaN or infinite position or normal: written as showing no surface");
+  if (job_.error > 0) note(tree_sentence(job_.error, shading_->tree_statistics()));
   if (const std::string sentence = mixed_pixels_.sentence(summary_.surface_pixels); !sentence.empty()) note(sentence);
   progress("write", 1);
   output.commit();

@@ -31,6 +31,7 @@ struct RelightJob {
   OutputFormat format;
   Interpolation interpolation = Interpolation::phong;  ///< the others need what relume bake stores
   bool mend_edges = true;  ///< pixels that mix surfaces are shaded surface by surface; else the stored means are shaded as they are
+  double error = 0;        ///< share of itself that a channel of a pixel may be off by, for speed under many lights; 0: exact
   std::optional<std::filesystem::path> png;
   double exposure = 0;  ///< stops, of the PNG alone
   std::string device;   ///< empty: the best, falling back to the twin with a note

@@ -16,10 +16,11 @@ typedef struct {
 #define RELUME_LIGHT_OF_TYPE(name, ...) \
   if (k < frame->light_begin[LIGHT_##name + 1]) return light_##name(lights + k, position);
 
-/// Light k; lights are sorted by type, so the branch goes one way for many lights in a row, and for all lanes.
+/// Light k; lights are sorted by type, so the branch goes one way for many lights in a row, and for all lanes. Behind the last type come points
+/// that stand in for clusters of lights (host/light_tree.h).
 RELUME_FN Incident incident_from(RELUME_GLOBAL const Frame* frame, RELUME_GLOBAL const LightRecord* lights, int k, real3 position) {
   RELUME_LIGHTS(RELUME_LIGHT_OF_TYPE)
-  return light_directional(lights + k, position);
+  return light_point(lights + k, position);
 }
 
 /// Which lanes show a surface to the viewer.

@@ -193,6 +193,8 @@ TEST_F(Errors, MemoryAndWindows) {
   expect({"--memory", "1K"}, "FOLDER/good.exr: one row needs ... bytes of planes; --memory allows 1024", 4);
   for (const char* wrong : {"huge", "-1", "0", "1T", "nan", "inf"})
     expect({std::string("--memory=") + wrong}, std::string("--memory ") + wrong + ": is not a size (512M, 2G)");
+  for (const char* wrong : {"1", "-0.1", "nan", "1%", "few"})
+    expect({std::string("--error=") + wrong}, std::string("--error ") + wrong + ": is not a share, at least 0 and below 1 (0: exact; 0.01: within 1%)");
   const std::string form = ": is not X0,Y0,X1,Y1 with X0 < X1 and Y0 < Y1 (X1, Y1: one past the last)";
   for (const char* wrong : {"5,5,5,9", "a", "1,2,3", "1,2,3,4,5"}) expect({"--crop", wrong}, std::string("--crop ") + wrong + form);
   expect({"--crop", "500,5,600,9"}, "FOLDER/good.exr: --crop lies outside the data window");
