@@ -21,6 +21,8 @@ using Action = std::function<int()>;
   COMMAND(directions, "the directions n, v, l, R_v, R_l, h of every pixel, as layers") \
   COMMAND(plot, "figures of BRDFs: polar plots, maps, lit spheres")                    \
   COMMAND(check_brdf, "whether BRDFs keep the laws that they claim")                   \
+  COMMAND(tabulate, "a BRDF as a table in MERL's format")                              \
+  COMMAND(fit, "which analytic BRDF comes nearest to a measured table, and with what") \
   COMMAND(figure, "pictures that compare one way of lighting with another")            \
   COMMAND(bench, "how fast devices shade, beside plain C++ and textbook kernels")
 

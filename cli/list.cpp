@@ -16,6 +16,7 @@ using Json = nlohmann::ordered_json;
 
 Json parameter_json(std::string_view name) {
   const Parameter& p = parameter_named(name);
+  if (p.is_file) return {{"name", name}, {"file", true}, {"meaning", p.meaning}};
   return {{"name", name},       {"components", p.components}, {"default", p.fallback},
           {"lowest", p.lowest}, {"highest", p.highest},       {"meaning", p.meaning}};
 }
@@ -52,9 +53,14 @@ std::string joined(const Json& names) {
 }
 
 void print_parameters(const Json& parameters) {
-  for (const auto& p : parameters)
-    std::printf("      %-17s %g..%g, default %g%s: %s\n", p["name"].get<std::string>().c_str(), p["lowest"].get<double>(), p["highest"].get<double>(),
-                p["default"].get<double>(), p["components"] == 3 ? ", rgb" : "", p["meaning"].get<std::string>().c_str());
+  for (const auto& p : parameters) {
+    const std::string name = p["name"], meaning = p["meaning"];
+    if (p.contains("file"))
+      std::printf("      %-17s FILE: %s\n", name.c_str(), meaning.c_str());
+    else
+      std::printf("      %-17s %g..%g, default %g%s: %s\n", name.c_str(), p["lowest"].get<double>(), p["highest"].get<double>(),
+                  p["default"].get<double>(), p["components"] == 3 ? ", rgb" : "", meaning.c_str());
+  }
 }
 
 void print_brdfs(const Json& lists) {

@@ -14,7 +14,7 @@ const std::vector<Role>& roles() {
     std::vector<Role> list{RELUME_ROLES(RELUME_ROLE) RELUME_PARAMETERS(RELUME_PARAMETER)};
 #undef RELUME_PARAMETER
 #undef RELUME_ROLE
-    std::erase_if(list, [](const Role& role) { return role.meaning.starts_with("set by the host"); });
+    std::erase_if(list, [](const Role& role) { return role.meaning.starts_with("set by the host") || role.meaning.ends_with("(a file)"); });
     return list;
   }();
   return all;

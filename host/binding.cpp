@@ -35,9 +35,10 @@ bool same(const Choice& a, const Choice& b) {
 Binding::Binding(const Material& command_line, const std::optional<MaterialFile>& file, const std::string& place, const LayerFinder& find,
                  Reading& reading)
     : place_(place) {
-  tables_.resize(RELUME_CYCLES_TABLES_LENGTH);  // first, where kernels/cycles_tables.h has them; filled if a lobe reads them
+  LobeTables tables;
+  tables.values.resize(RELUME_CYCLES_TABLES_LENGTH);  // first, where kernels/cycles_tables.h has them; filled if a lobe reads them
   const auto add = [&](const Material& material) {
-    materials_.push_back(bind_material(merged(material, command_line), place_, find, reading, tables_, notes_));
+    materials_.push_back(bind_material(merged(material, command_line), place_, find, reading, tables, notes_));
     return int(materials_.size()) - 1;
   };
   if (!file) {
@@ -55,6 +56,7 @@ Binding::Binding(const Material& command_line, const std::optional<MaterialFile>
     choose_program(material);
     gather_roles(material);
   }
+  tables_ = std::move(tables.values);
   finish_tables();
 }
 

@@ -6,6 +6,7 @@
 #include "gbuffer/error.h"
 #include "host/conversions.h"
 #include "host/lobes.h"
+#include "host/merl_numbers.h"
 #include "host/rough_transmittance.h"
 
 namespace relume {
@@ -16,7 +17,7 @@ bool contains(const std::vector<std::string_view>& list, std::string_view name) 
 /// Builds one BoundMaterial from what a user said and what the file holds.
 class Binder {
  public:
-  Binder(const Material& material, const std::string& place, const LayerFinder& find, Reading& reading, std::vector<float>& tables,
+  Binder(const Material& material, const std::string& place, const LayerFinder& find, Reading& reading, LobeTables& tables,
          std::vector<std::string>& notes)
       : material_(material), place_(place), find_(find), reading_(reading), tables_(tables), notes_(notes) {}
 
@@ -50,14 +51,18 @@ class Binder {
     bound_.choice.specular = specular_ ? specular_->number : int(SPECULAR_none);
   }
 
-  /// The convention's; but glTF's diffuse light leaves room for glTF's own highlight, not for another that the user asks for.
+  /// The convention's; but glTF's diffuse light leaves room for glTF's own highlight, not for another that the user asks for, and a measured table
+  /// holds the diffuse light too.
   std::string default_diffuse() const {
+    if (material_.specular == "merl" || (material_.specular.empty() && given("table"))) return "none";
     const bool paired = material_.specular.empty() || material_.specular == reading_.default_specular;
     return reading_.default_diffuse == "gltf" && !paired ? "lambert" : reading_.default_diffuse;
   }
 
-  /// The convention's; but who sets a highlight's width wants a highlight, also where the file tells of none.
+  /// The convention's; but who sets a highlight's width wants a highlight, also where the file tells of none, and who names a
+  /// measured table wants it shown.
   std::string default_specular() const {
+    if (given("table")) return "merl";
     const bool wanted = given("roughness") || given("alpha") || given("f0");
     return reading_.default_specular == "none" && wanted ? "ggx" : reading_.default_specular;
   }
@@ -137,11 +142,29 @@ class Binder {
   void place(const std::string& name) {
     const Parameter& parameter = parameter_named(name);
     if (parameter.from_host || bound_.fields.contains(parameter.field)) return;
+    if (parameter.is_file) return place_table(parameter);
     const std::optional<FieldSource> source = name == "base_color" ? (given("albedo") ? source_of("albedo") : source_of("base_color")) : found(name);
     if (!source && name == "albedo")
       note("warning: no layer tells the albedo: " + std::to_string(parameter.fallback).substr(0, 4) +
            " is taken for it everywhere (--map albedo=LAYER, --set albedo=R,G,B or a material file tells it)");
     bound_.fields[parameter.field] = source.value_or(FieldSource{{parameter.fallback}, {}, {}, {}});
+  }
+
+  /// One table that several materials show is put down once.
+  void place_table(const Parameter& parameter) {
+    std::shared_ptr<const MerlTable> table;
+    if (given(std::string(parameter.name)))
+      table = std::get<TableValue>(material_.parameters.at(std::string(parameter.name))).table;
+    else
+      note("warning: merl: no table is given: a made-up plastic stands in (--set table=FILE names one)");
+    const auto [placed, fresh] = tables_.merl.try_emplace(table, 0);
+    if (fresh) {
+      const std::vector<float> numbers = merl_numbers(table ? *table : stand_in_table());
+      placed->second = (tables_.values.size() + merl_alignment - 1) / merl_alignment * merl_alignment;
+      tables_.values.resize(placed->second);
+      tables_.values.insert(tables_.values.end(), numbers.begin(), numbers.end());
+    }
+    bound_.fields[parameter.field] = {{double(placed->second)}, {}, {}, {}};
   }
 
   /// A parameter that was given but that no lobe of this material reads is worth a word: with "auto" lobes nobody could refuse it before.
@@ -192,11 +215,11 @@ class Binder {
       const std::string specular = specular_ ? std::string(specular_->name) : "";
       const bool beckmann = specular == "beckmann" || specular == "cook_torrance";
       const RoughTransmittance transmittance = rough_transmittance(beckmann, constant_of("plastic", "alpha"), ior);
-      table.constant = {double(tables_.size())};
+      table.constant = {double(tables_.values.size())};
       fdr.constant = {transmittance.internal_fdr};
-      tables_.insert(tables_.end(), transmittance.external.begin(), transmittance.external.end());
+      tables_.values.insert(tables_.values.end(), transmittance.external.begin(), transmittance.external.end());
     }
-    bound_.fields[FIELD_table] = table;
+    bound_.fields[FIELD_transmittance] = table;
     bound_.fields[FIELD_fdr] = fdr;
   }
 
@@ -212,7 +235,7 @@ class Binder {
   const std::string& place_;
   const LayerFinder& find_;
   Reading& reading_;
-  std::vector<float>& tables_;
+  LobeTables& tables_;
   std::vector<std::string>& notes_;
   BoundMaterial bound_;
   const Lobe *diffuse_ = nullptr, *specular_ = nullptr;
@@ -221,7 +244,7 @@ class Binder {
 
 }  // namespace
 
-BoundMaterial bind_material(const Material& material, const std::string& place, const LayerFinder& find, Reading& reading, std::vector<float>& tables,
+BoundMaterial bind_material(const Material& material, const std::string& place, const LayerFinder& find, Reading& reading, LobeTables& tables,
                             std::vector<std::string>& notes) {
   return Binder(material, place, find, reading, tables, notes).bind();
 }

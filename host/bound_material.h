@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,10 +40,16 @@ struct BoundMaterial {
   bool solve_cycles = false;          ///< base colour, metallic and specular level are to be found from GlossCol and DiffCol
 };
 
+/// The table buffer while materials are bound.
+struct LobeTables {
+  std::vector<float> values;
+  std::map<std::shared_ptr<const MerlTable>, std::size_t> merl;  ///< where each measured BRDF starts; null is the one that stands in
+};
+
 /// Answers them: from the material, else the file's layers, else the parameter's default. Layers that the material names are added to `reading.roles`
 /// under their own names, tables that its lobes need to `tables`, sentences about what was assumed to `notes` (each once).
 /// `place` begins messages: the file's name. Throws Error{input} naming the parameter, layer or lobe.
-BoundMaterial bind_material(const Material& material, const std::string& place, const LayerFinder& find, Reading& reading, std::vector<float>& tables,
+BoundMaterial bind_material(const Material& material, const std::string& place, const LayerFinder& find, Reading& reading, LobeTables& tables,
                             std::vector<std::string>& notes);
 
 }  // namespace relume

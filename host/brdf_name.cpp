@@ -1,4 +1,4 @@
-// material_named: "diffuse+specular", or one name looked up in both lists.
+// material_named: a file, "diffuse+specular", or one name looked up in both lists.
 #include "host/brdf_name.h"
 
 #include "gbuffer/error.h"
@@ -8,6 +8,12 @@ namespace relume {
 
 Material material_named(const std::string& brdf) {
   Material material;
+  if (brdf.ends_with(".binary")) {
+    material.diffuse = "none";
+    material.specular = "merl";
+    material.parameters["table"] = TableValue{shared_merl(brdf)};
+    return material;
+  }
   if (const std::size_t plus = brdf.find('+'); plus != std::string::npos) {
     material.diffuse = brdf.substr(0, plus);
     material.specular = brdf.substr(plus + 1);
@@ -22,7 +28,8 @@ Material material_named(const std::string& brdf) {
   for (const bool diffuse : {true, false})
     for (const std::string_view name : names_of(diffuse ? diffuse_lobes() : specular_lobes()))
       names += (names.empty() ? "" : ", ") + std::string(name);
-  throw Error(ErrorKind::input, "no BRDF \"" + printable(brdf) + "\" (has: " + names + "; DIFFUSE+SPECULAR for a pair)");
+  throw Error(ErrorKind::input,
+              "no BRDF \"" + printable(brdf) + "\" (has: " + names + "; FILE.binary for a MERL table, DIFFUSE+SPECULAR for a pair)");
 }
 
 }  // namespace relume

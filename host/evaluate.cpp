@@ -45,6 +45,7 @@ std::vector<std::string> add_parameters(const Table& table, RowBand& rows) {
   std::vector<std::string> found;
   for (const std::string_view parameter : parameter_names()) {
     const std::string name(parameter);
+    if (parameter_named(parameter).is_file) continue;
     std::vector<int> columns{table.column(name + ".r"), table.column(name + ".g"), table.column(name + ".b")};
     if (*std::min_element(columns.begin(), columns.end()) < 0) columns = {table.column(name)};
     if (columns[0] < 0) continue;

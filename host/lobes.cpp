@@ -69,7 +69,8 @@ const std::vector<Parameter>& parameters() {
    meaning,                                                               \
    kernel::FIELD_##name,                                                  \
    std::string_view(meaning).starts_with("set by the host"),              \
-   std::string_view(meaning).ends_with("(0 or 1)")},
+   std::string_view(meaning).ends_with("(0 or 1)"),                       \
+   std::string_view(meaning).ends_with("(a file)")},
   static const std::vector<Parameter> list = {RELUME_PARAMETERS(RELUME_ITEM)};
 #undef RELUME_ITEM
   return list;

@@ -16,6 +16,7 @@ struct Parameter {
   int field;       ///< kernels/frame.h's FIELD_<name>
   bool from_host;  ///< worked out by the host: users cannot give it
   bool is_switch;  ///< 0 or 1, also written false or true
+  bool is_file;    ///< users name a file; the field holds where the host has put what it says
 };
 
 /// One half of a BRDF as users choose it.

@@ -52,6 +52,7 @@ std::string lobes_of(const Material& material) {
 std::string range_of(const Parameter& parameter) { return in_digits(parameter.lowest) + ".." + in_digits(parameter.highest); }
 
 std::optional<std::string> problem_of_value(const Parameter& parameter, const ParameterValue& value) {
+  if (parameter.is_file != std::holds_alternative<TableValue>(value)) return parameter.is_file ? "must name a file" : "is no file";
   const auto* numbers = std::get_if<std::vector<double>>(&value);
   if (!numbers) return {};
   if (numbers->size() != static_cast<std::size_t>(parameter.components))
@@ -149,6 +150,11 @@ TextureValue read_texture(const ObjectReader& reader, const std::filesystem::pat
 ParameterValue read_value(const ObjectReader& reader, const std::string& key, const Json& value, const std::string& name,
                           const std::filesystem::path& folder) {
   const Parameter& parameter = *find_parameter(key);
+  if (parameter.is_file) {
+    const std::string file = reader.string(key).value_or("");
+    if (file.empty()) reader.fail(key, "must name a file");
+    return TableValue{shared_merl(folder / file)};
+  }
   if (value.type == Json::Type::object) return read_texture(ObjectReader(value, name, reader.place() + ": " + key), folder);
   if (value.type == Json::Type::boolean && parameter.is_switch) return std::vector<double>{value.boolean ? 1.0 : 0.0};
   if (value.type == Json::Type::string) {
@@ -256,6 +262,11 @@ void set_parameter(Material& material, const std::string& assignment) {
     if (!contains(parameter_names(), key))
       fail("no parameter " + in_quotes(key) + " (has: " + listed(parameter_names()) + ", shadowing, fresnel, distribution, twosided)");
     const Parameter& parameter = parameter_named(key);
+    if (parameter.is_file) {
+      if (text.empty()) fail("must name a file");
+      material.parameters[key] = TableValue{shared_merl(text)};
+      return;
+    }
     std::vector<double> numbers = parameter.is_switch ? std::vector<double>{truth_of(text, assignment) ? 1.0 : 0.0} : numbers_of(text, assignment);
     if (numbers.size() == 1) numbers.resize(parameter.components, numbers[0]);  // a grey
     if (const auto problem = problem_of_value(parameter, numbers)) fail(*problem);

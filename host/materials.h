@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -12,6 +13,7 @@
 
 #include "gbuffer/object_ids.h"
 #include "host/lobes.h"
+#include "host/merl.h"
 
 namespace relume {
 
@@ -26,8 +28,13 @@ struct TextureValue {
   bool v_down = false;         ///< v counts from the top row
 };
 
-/// Numbers (as many as the parameter has components), a layer, or a texture.
-using ParameterValue = std::variant<std::vector<double>, LayerValue, TextureValue>;
+/// A measured BRDF, of `merl`'s parameter `table`.
+struct TableValue {
+  std::shared_ptr<const MerlTable> table;
+};
+
+/// Numbers (as many as the parameter has components), a layer, a texture, or, of a parameter that is a file, what it holds.
+using ParameterValue = std::variant<std::vector<double>, LayerValue, TextureValue, TableValue>;
 
 struct Material {
   std::string diffuse, specular;                 ///< lobe names, "none", or empty: auto

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host/ambient_nodes.h"
+#include "host/merl_numbers.h"
 #include "kernels/cycles_tables.h"
 
 namespace relume {
@@ -21,6 +22,7 @@ struct TestBand {
   Frame frame{};
   std::vector<LightRecord> lights{};
   std::vector<float> tables{};
+  std::size_t measured = 0;  // where a measured BRDF starts in the tables
 };
 
 struct Limits {
@@ -61,11 +63,14 @@ void place_constant(TestBand& band, int field, float constant) {
   band.frame.field[field] = {int(band.planes.stride()) * first, 0, 0};
 }
 
-/// A third of the pixels have a table of their own: the first entries of Cycles' will do.
+/// A third of the pixels have a table of their own: the first entries of Cycles' will do. Two thirds have a measured BRDF.
 void place_table_starts(TestBand& band) {
   const int first = band.planes.add();
   for (int i = 0; i < band.pixels; ++i) band.planes.plane(first)[i] = i % 3 == 1 ? 0.0f : -1.0f;
-  band.frame.field[FIELD_table] = {int(band.planes.stride()) * first, 1, 0};
+  band.frame.field[FIELD_transmittance] = {int(band.planes.stride()) * first, 1, 0};
+  const int measured = band.planes.add();
+  for (int i = 0; i < band.pixels; ++i) band.planes.plane(measured)[i] = i % 3 == 2 ? -1.0f : float(band.measured);
+  band.frame.field[FIELD_table] = {int(band.planes.stride()) * measured, 1, 0};
 }
 
 void make_lights(TestBand& band) {
@@ -109,13 +114,16 @@ void make_pixels(TestBand& band, std::mt19937& random) {
   for (int i = 0; i < int(band.planes.stride()); ++i) band.planes.plane(6)[i] = i < band.pixels ? 0.0f : -1.0f;
 }
 
-/// Cycles' tables stand first (any numbers do here), then ambient's nodes.
+/// Cycles' tables stand first (any numbers do here), then ambient's nodes, then a measured BRDF.
 void make_tables(TestBand& band) {
   for (int i = 0; i < RELUME_CYCLES_TABLES_LENGTH; ++i) band.tables.push_back(0.5f + 0.5f * float(i % 37) / 37);
   const std::vector<float> nodes = ambient_nodes();
   band.frame.nodes = int(band.tables.size());
   band.frame.node_count = int(nodes.size() / 4);
   band.tables.insert(band.tables.end(), nodes.begin(), nodes.end());
+  band.measured = band.tables.size();
+  const std::vector<float> measured = merl_numbers(stand_in_table(9, 5, 6));
+  band.tables.insert(band.tables.end(), measured.begin(), measured.end());
 }
 
 TestBand make_band(TestRange range, int pixels) {

@@ -40,10 +40,9 @@ RELUME_FN real log1p_of(real x) {
   return fused(k, all_lanes(RELUME_LN2_HIGH), f + tail);
 }
 
-/// The angle in 0..pi whose cosine is x, within 2.7 ulp; x beyond -1..1 counts as the nearer end.
-/// acos(a) = sqrt(1 - a) P(a) for a in 0..1 (the form of Hastings 1955, sheet 37) and acos(-a) = pi - acos(a).
-RELUME_FN real arc_cosine(real x) {
-  const real a = smaller(absolute(x), all_lanes(1.0f));
+/// The angle in 0..pi/2 whose cosine is a, from a and 1 - a: near 0 it is as exact as the 1 - a that the caller has, which a itself does not hold.
+/// acos(a) = sqrt(1 - a) P(a) for a in 0..1 (the form of Hastings 1955, sheet 37).
+RELUME_FN real acute_angle(real a, real one_minus_a) {
   real p = all_lanes(-0.000699530588f);
   p = p * a + 0.00473562907f;
   p = p * a - 0.0144851869f;
@@ -52,7 +51,13 @@ RELUME_FN real arc_cosine(real x) {
   p = p * a + 0.0888849199f;
   p = p * a - 0.214593202f;
   p = p * a + 1.57079625f;
-  const real y = square_root(1.0f - a) * p;
+  return square_root(one_minus_a) * p;
+}
+
+/// The angle in 0..pi whose cosine is x, within 2.7 ulp; x beyond -1..1 counts as the nearer end. acos(-a) = pi - acos(a).
+RELUME_FN real arc_cosine(real x) {
+  const real a = smaller(absolute(x), all_lanes(1.0f));
+  const real y = acute_angle(a, 1.0f - a);
   return choose(x < 0.0f, RELUME_PI - y, y);
 }
 

@@ -29,7 +29,8 @@
   PARAMETER(clearcoat_gloss, 1, 0, 0, 1, "principled: gloss of the clear lobe")                                                \
   PARAMETER(base_color, 3, 0.8, 0, 1, "Cycles' base colour (its `albedo`), apart from the diffuse albedo that the pass holds") \
   PARAMETER(glossy_albedo, 3, 1, 0, 1, "Cycles' GlossCol: directional albedo of the glossy closures")                          \
-  PARAMETER(table, 1, -1, -1, 16777216, "set by the host: where a lobe's own table starts in the table buffer; -1: none")      \
-  PARAMETER(fdr, 1, 0, 0, 1, "set by the host: plastic's internal diffuse Fresnel reflectance")
+  PARAMETER(transmittance, 1, -1, -1, 16777216, "set by the host: where rough plastic's table starts; -1: a smooth one")       \
+  PARAMETER(fdr, 1, 0, 0, 1, "set by the host: plastic's internal diffuse Fresnel reflectance")                                \
+  PARAMETER(table, 1, -1, -1, 2147483648, "a measured BRDF in MERL's format (a file)")
 
 #endif

@@ -10,8 +10,12 @@
 #include "host/self_test.h"
 
 namespace relume {
+namespace {
 
-/// From the vectors, so that nothing cancels near the mirror direction, where sharp lobes live (DESIGN.md, "Shading in three cosines").
+constexpr std::size_t rows_at_once = 1 << 18;  // some 60 MB of planes
+
+}  // namespace
+
 PreciseCosines cosines_of(const DirectionPair& pair) {
   const glm::dvec3 sum = pair.l + pair.v, mirrored{-pair.v.x, -pair.v.y, pair.v.z}, chord = pair.l - mirrored;
   PreciseCosines c{};
@@ -26,12 +30,6 @@ PreciseCosines cosines_of(const DirectionPair& pair) {
   c.r_l = 1 - c.chord2 / 2;
   return c;
 }
-
-namespace {
-
-constexpr std::size_t rows_at_once = 1 << 18;  // some 60 MB of planes
-
-}  // namespace
 
 std::shared_ptr<Device> lab_device(const std::string& selector) {
   return open_device(selector.empty() && list_devices().empty() ? "twin" : selector);

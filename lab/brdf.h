@@ -24,7 +24,7 @@ struct Reflectance {
   glm::dvec3 total() const { return diffuse + specular; }
 };
 
-/// What the kernels need of a pair.
+/// From the vectors, so that nothing cancels near the mirror direction, where sharp lobes live (DESIGN.md, "Shading in three cosines").
 PreciseCosines cosines_of(const DirectionPair& pair);
 
 /// A device that has passed its self-test. `selector` as for open_device; where there is no OpenCL device, the twin.

@@ -230,7 +230,7 @@ TEST(BenchCommand, RefusesInOneLine) {
                                                                             {{"--filter", "nothing-of-this-name"}, "--filter fits no name"},
                                                                             {{"--size", "12x"}, "no size"},
                                                                             {{"--size", "0x5"}, "no size"},
-                                                                            {{"--brdf", "gxx"}, "no diffuse lobe"},
+                                                                            {{"--brdf", "gxx"}, "no BRDF"},
                                                                             {{"--lights", "0"}, "--lights"},
                                                                             {{"--lanes", "3"}, "--lanes"},
                                                                             {{"--compare", folder / "no.json"}, "not a benchmark's JSON"},

@@ -70,17 +70,19 @@ TEST(Lobes, DefaultsLieInTheirRanges) {
 }
 
 TEST(Lobes, ParametersSayWhoGivesThem) {
-  EXPECT_TRUE(parameter_named("table").from_host);
+  EXPECT_TRUE(parameter_named("transmittance").from_host);
+  EXPECT_TRUE(parameter_named("table").is_file);
+  EXPECT_FALSE(parameter_named("albedo").is_file);
   EXPECT_TRUE(parameter_named("fdr").from_host);
   EXPECT_FALSE(parameter_named("albedo").from_host);
   EXPECT_TRUE(parameter_named("nonlinear").is_switch);
   EXPECT_FALSE(parameter_named("metallic").is_switch);
-  EXPECT_FALSE(contains(parameter_names(), "table"));
+  EXPECT_FALSE(contains(parameter_names(), "transmittance"));
   EXPECT_TRUE(contains(parameter_names(), "exponent"));
 }
 
 TEST(Lobes, UsersMayWriteRoughnessForAlphaAndAlbedoForBaseColour) {
-  const Lobe microfacet{"m", false, {"alpha", "table"}, {}, {}, {}, {}, "", 1};
+  const Lobe microfacet{"m", false, {"alpha", "transmittance"}, {}, {}, {}, {}, "", 1};
   EXPECT_EQ(user_parameters(microfacet), (std::vector<std::string_view>{"alpha", "roughness"}));
   const Lobe cycles{"c", false, {"roughness", "base_color", "albedo"}, {}, {}, {}, {}, "", 1};
   EXPECT_EQ(user_parameters(cycles), (std::vector<std::string_view>{"roughness", "base_color", "albedo"}));
@@ -95,7 +97,7 @@ TEST(Lobes, FixedNamesAreThere) {
   for (const char* name : {"lambert", "lambert_original", "oren_nayar", "eon", "burley", "plastic", "principled", "gltf", "cycles"})
     EXPECT_NE(find_lobe(true, name), nullptr) << name;
   for (const char* name : {"phong_original", "phong", "blinn_phong_original", "blinn_phong", "blinn_phong_exact", "cook_torrance", "beckmann", "ggx",
-                           "principled", "cycles_principled", "cycles_glossy"})
+                           "principled", "cycles_principled", "cycles_glossy", "merl"})
     EXPECT_NE(find_lobe(false, name), nullptr) << name;
   for (const char* name : {"schlick", "dielectric", "conductor", "none"}) EXPECT_NE(find_term(fresnels(), name), nullptr) << name;
   for (const char* name : {"v_groove", "smith", "smith_separable"}) EXPECT_NE(find_term(shadowings(), name), nullptr) << name;
@@ -109,7 +111,7 @@ TEST(Lobes, ErrorsListWhatIsAllowed) {
   EXPECT_EQ(error_of([] { lobe_named(true, "lamber"); }).find("no diffuse lobe \"lamber\" (has: none, lambert"), 0u);
   EXPECT_EQ(error_of([] { lobe_named(false, "lambert"); }).find("no specular lobe \"lambert\" (has: none, "), 0u);
   EXPECT_EQ(error_of([] { parameter_named("rough"); }).find("no parameter \"rough\" (has: albedo, kd, ks, "), 0u);
-  EXPECT_EQ(error_of([] { parameter_named("rough"); }).find("table"), std::string::npos);
+  EXPECT_EQ(error_of([] { parameter_named("rough"); }).find("transmittance"), std::string::npos);
 }
 
 }  // namespace

@@ -153,7 +153,7 @@ TEST(Materials, RefusesBadValues) {
   EXPECT_EQ(material_error(R"("twosided": 1)"), "\"twosided\": must be true or false (is a number)");
   EXPECT_TRUE(material_error(R"("colour": 1)")
                   .starts_with("unknown key \"colour\" (has: diffuse, specular, shadowing, fresnel, distribution, twosided, albedo, kd, "));
-  EXPECT_TRUE(material_error(R"("table": 1)").starts_with("unknown key \"table\" (has: "));
+  EXPECT_TRUE(material_error(R"("transmittance": 1)").starts_with("unknown key \"transmittance\" (has: "));
 }
 
 TEST(Materials, RefusesBadFiles) {
@@ -197,7 +197,7 @@ TEST(SetParameter, SaysWhatIsAllowed) {
   EXPECT_EQ(set_error("twosided=maybe"), "--set twosided=maybe: must be true or false");
   EXPECT_EQ(set_error("fresnel=glass"), "--set fresnel=glass: no fresnel \"glass\" (has: schlick, dielectric, conductor, none)");
   EXPECT_TRUE(set_error("rough=1").starts_with("--set rough=1: no parameter \"rough\" (has: albedo, kd, "));
-  EXPECT_TRUE(set_error("table=1").starts_with("--set table=1: no parameter \"table\" (has: "));
+  EXPECT_TRUE(set_error("transmittance=1").starts_with("--set transmittance=1: no parameter \"transmittance\" (has: "));
 }
 
 TEST(Check, NamesThePlace) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host/ggx_albedo.h"
+#include "host/merl_numbers.h"
 #include "host/rough_transmittance.h"
 #include "tests/reflectance.h"
 
@@ -47,12 +48,19 @@ struct Sample {
   std::string text;
 };
 
-/// What the table buffer holds when a program is run: Cycles' tables and then a rough plastic's.
+/// Where what the table buffer holds starts.
+constexpr int kRoughPlastic = RELUME_CYCLES_TABLES_LENGTH, kMeasured = kRoughPlastic + rough_transmittance_entries;
+
+/// What the table buffer holds when a program is run: Cycles' tables, a rough plastic's, and a measured BRDF.
 const std::vector<float>& tables() {
   static const std::vector<float> all = [] {
     std::vector<float> t = cycles_tables();
     const RoughTransmittance rough = rough_transmittance(false, 0.3, 1.5);
     t.insert(t.end(), rough.external.begin(), rough.external.end());
+    // A measured BRDF, bright enough to reflect more than arrives, as nothing keeps a file from doing.
+    std::vector<float> measured = merl_numbers(stand_in_table(45, 15, 12));
+    for (std::size_t i = RELUME_MERL_HEADER; i < measured.size(); ++i) measured[i] *= 8;
+    t.insert(t.end(), measured.begin(), measured.end());
     return t;
   }();
   return all;
@@ -62,6 +70,7 @@ const std::vector<float>& tables() {
 kernel::Surface brightest_surface() {
   kernel::Surface s = kernel::default_surface();
   s.tables = tables().data();
+  s.table = kMeasured;
   for (const ParameterRange& range : kRanges)
     if (range.components == 3 && range.lowest == 0 && range.highest == 1) kernel::set_parameter(s, range.name, 1);
   return s;
@@ -72,7 +81,7 @@ std::vector<ParameterRange> numbers_of(const kernel::Lobe& lobe) {
   std::vector<ParameterRange> numbers;
   for (const std::string& name : words_in(lobe.parameters))
     for (const ParameterRange& range : kRanges)
-      if (range.name == name && range.components == 1) numbers.push_back(range);
+      if (range.name == name && range.name != "table" && range.components == 1) numbers.push_back(range);
   return numbers;
 }
 
@@ -92,7 +101,7 @@ std::vector<Sample> with_each_number(const kernel::Lobe& lobe, const Sample& bas
   if (lobe.parameters.find("alpha") != std::string_view::npos) add("alpha", 0);
   if (lobe.name == "plastic") {
     Sample rough = base;
-    rough.surface.table = RELUME_CYCLES_TABLES_LENGTH;
+    rough.surface.transmittance = kRoughPlastic;
     rough.surface.fdr = 0.6f;
     rough.text += "rough ";
     samples.push_back(rough);

@@ -32,7 +32,7 @@ Rgb mitsuba_radiance(const RenderedRow& row) {
   if (settings.count("specular_level")) s.ior = float(ior_from_specular_level(settings.at("specular_level")[0]));
   if (row.text("diffuse") == "plastic" && settings.count("alpha")) {
     const RoughTransmittance rough = rough_transmittance(row.text("specular") == "beckmann", settings.at("alpha")[0], settings.at("ior")[0]);
-    s.table = float(tables.size());
+    s.transmittance = float(tables.size());
     s.fdr = rough.internal_fdr;
     tables.insert(tables.end(), rough.external.begin(), rough.external.end());
   }

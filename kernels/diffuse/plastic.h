@@ -6,18 +6,18 @@
 #include "kernels/fresnel/dielectric.h"
 #include "kernels/surface.h"
 
-/// Light that enters a rough surface: the material's table (host/rough_transmittance) at i/63, linear between. For s.table >= 0.
+/// Light that enters a rough surface: the material's table (host/rough_transmittance) at i/63, linear between. For s.transmittance >= 0.
 RELUME_FN real rough_plastic_transmittance(Surface s, real cosine) {
   const real x = clamped(cosine, 0.0f, 1.0f) * 63.0f;
   const real below = smaller(whole_below(x), all_lanes(62.0f));
-  const integer at = to_integer(larger(s.table, all_lanes(0.0f)) + below);
+  const integer at = to_integer(larger(s.transmittance, all_lanes(0.0f)) + below);
   const real low = gather(s.tables, at);
   return low + (gather(s.tables, at + 1) - low) * (x - below);
 }
 
 RELUME_FN real plastic_transmittance(Surface s, real cosine) {
   const real smooth = dielectric_transmittance(s.ior, larger(cosine, all_lanes(0.0f)));
-  const mask rough = s.table >= 0.0f;
+  const mask rough = s.transmittance >= 0.0f;
   if (!any_of(rough)) return smooth;
   return choose(rough, rough_plastic_transmittance(s, cosine), smooth);
 }
@@ -28,7 +28,7 @@ RELUME_FN real plastic_internal_reflectance(Surface s) {
   const real x = 1.0f / s.ior;
   // The fit was made for ior up to about 2 and passes 1 before 4, where the exact value is 0.96.
   const real smooth = smaller((-1.4399f * x + 0.7099f) * x + 0.6681f + 0.0636f * s.ior, all_lanes(0.96f));
-  return choose(s.table >= 0.0f, s.fdr, smooth);
+  return choose(s.transmittance >= 0.0f, s.fdr, smooth);
 }
 
 /// f_r = albedo/(1 - fdr) T(l) T(v)/(pi ior^2); nonlinear: what is thrown back inside is coloured again, albedo/(1 - albedo fdr).

@@ -22,6 +22,7 @@
   LOBE(cycles_principled, "roughness metallic base_color specular_level ior", "", "", "multi_ggx ggx",                                             \
        "positive facets:smith compensated:metallic=1",                                                                                             \
        "Cycles, Principled BSDF; Kulla and Conty 2017, Revisiting Physically Based Shading at Imageworks")                                         \
-  LOBE(cycles_glossy, "glossy_albedo roughness", "", "", "multi_ggx ggx beckmann", "positive facets:smith compensated", "Cycles, Glossy BSDF")
+  LOBE(cycles_glossy, "glossy_albedo roughness", "", "", "multi_ggx ggx beckmann", "positive facets:smith compensated", "Cycles, Glossy BSDF")     \
+  LOBE(merl, "table", "", "", "", "positive reciprocal", "Matusik et al. 2003, A Data-Driven Reflectance Model")
 
 #endif
