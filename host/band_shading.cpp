@@ -12,8 +12,10 @@ namespace relume {
 BandShading::BandShading(Device& device, const Binding& binding, const LightLinks& lights, const OutputLayout& layout, const Reading& reading,
                          double error)
     : device_(device), binding_(binding), lights_(lights), layout_(layout), reading_(reading), error_(error), records_(lights.records()) {
-  // A bumped normal's shadow is no part of the lobes that are bounded.
-  const bool bounded = reading.bump_shadowing == BumpShadowing::none || !reading.roles.contains("base_normal");
+  // A bumped normal's shadow is no part of the lobes that are bounded, and between the entries of a measured table anything may lie.
+  const std::vector<Choice>& programs = binding.programs();
+  const bool measured = std::any_of(programs.begin(), programs.end(), [](const Choice& c) { return c.specular == SPECULAR_merl; });
+  const bool bounded = !measured && (reading.bump_shadowing == BumpShadowing::none || !reading.roles.contains("base_normal"));
   for (const LightGroup& group : lights.groups()) {
     trees_.push_back(error > 0 && bounded ? LightTree(records_, group.begin) : LightTree());
     sorted_.emplace_back(lights.records(), group.begin, trees_.back());

@@ -8,6 +8,11 @@ namespace relume {
 namespace RELUME_BOUNDS_OF {
 namespace {
 #include "host/bounding_lanes.h"
+#include "kernels/cosines.h"
+#include "kernels/surface.h"
+// Bounds of a measured table would be those of all entries between two: such frames are shaded without a tree (host/band_shading.cpp).
+#define RELUME_MERL_H
+RELUME_FN real3 specular_merl(Cosines, Surface) { return grey(real(Floats{}, plain::all_lanes(unbounded))); }
 #include "kernels/brdf.h"
 #include "kernels/lookups.h"
 

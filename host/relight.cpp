@@ -53,7 +53,7 @@ std::string tree_sentence(double error, const BandShading::TreeStatistics& tree)
   std::ostringstream text;
   if (tree.lights == 0) {
     text << "error " << error << ": exact all the same: a light tree needs 64 unranged point lights at least, none of negative intensity, and no "
-         << "bump shadowing";
+         << "bump shadowing or measured BRDF";
     return text.str();
   }
   text << "error " << error << ": each channel of each pixel is within " << 100 * error << "% of brute force; of " << tree.lights
