@@ -57,15 +57,15 @@ bool claims_facets(const Examination& e) {
   return std::any_of(e.lobe.claims.begin(), e.lobe.claims.end(), [](const std::string& claim) { return parsed_claim(claim).law == "facets"; });
 }
 
-Json finding_json(const Finding& f) {
+Json finding_json(const LawFinding& f) {
   return {{"subject", f.subject}, {"law", f.law},     {"claimed", f.claimed},       {"holds", f.holds()},
           {"by", f.deviation.by}, {"limit", f.limit}, {"where", f.deviation.where}, {"tried", f.deviation.tried},
           {"meaning", f.meaning}};
 }
 
-Json findings_json(const std::vector<Finding>& findings) {
+Json findings_json(const std::vector<LawFinding>& findings) {
   Json all = Json::array();
-  for (const Finding& f : findings) all.push_back(finding_json(f));
+  for (const LawFinding& f : findings) all.push_back(finding_json(f));
   return all;
 }
 
@@ -106,10 +106,10 @@ int check_brdf(const CheckArguments& a) {
   std::vector<Examination> lobes = to_examine(a, device);
   examine(lobes, *device);
   const bool facets = std::any_of(lobes.begin(), lobes.end(), claims_facets);
-  const std::vector<Finding> terms = facets ? findings_of_terms(device) : std::vector<Finding>{};
-  bool plausible = std::none_of(terms.begin(), terms.end(), [](const Finding& f) { return f.fails(); });
+  const std::vector<LawFinding> terms = facets ? findings_of_terms(device) : std::vector<LawFinding>{};
+  bool plausible = std::none_of(terms.begin(), terms.end(), [](const LawFinding& f) { return f.fails(); });
   for (const Examination& e : lobes)
-    plausible = plausible && std::none_of(e.findings.begin(), e.findings.end(), [](const Finding& f) { return f.fails(); });
+    plausible = plausible && std::none_of(e.findings.begin(), e.findings.end(), [](const LawFinding& f) { return f.fails(); });
   if (!a.csv.empty()) write_text(a.csv, a.overwrite, albedo_csv(lobes));
   if (!a.figure.empty()) draw(furnace_figure(lobes), a.figure, a.overwrite);
   if (a.json) {

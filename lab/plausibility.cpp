@@ -57,9 +57,9 @@ const std::vector<std::string>& law_names() {
   return names;
 }
 
-std::vector<Finding> findings_of(Examined& lobe) {
+std::vector<LawFinding> findings_of(Examined& lobe) {
   lobe.furnace = furnace(lobe, lobe.grid);
-  std::vector<Finding> findings;
+  std::vector<LawFinding> findings;
   const auto ask = [&](const Claim& claim, bool claimed) {
     const Law& law = law_named(claim.law);
     const Deviation deviation = law.measure(lobe, claim.arguments);
@@ -68,15 +68,15 @@ std::vector<Finding> findings_of(Examined& lobe) {
   for (const char* law : always)
     if (std::find(lobe.claims.begin(), lobe.claims.end(), law) == lobe.claims.end()) ask({law, {}}, false);
   for (const std::string& claim : lobe.claims) ask(parsed_claim(claim), true);
-  std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
-    const auto place = [](const Finding& f) { return std::find(law_names().begin(), law_names().end(), f.law); };
+  std::stable_sort(findings.begin(), findings.end(), [](const LawFinding& a, const LawFinding& b) {
+    const auto place = [](const LawFinding& f) { return std::find(law_names().begin(), law_names().end(), f.law); };
     return place(a) < place(b);
   });
   return findings;
 }
 
-std::vector<Finding> findings_of_terms(std::shared_ptr<Device> device) {
-  std::vector<Finding> findings;
+std::vector<LawFinding> findings_of_terms(std::shared_ptr<Device> device) {
+  std::vector<LawFinding> findings;
   const auto add = [&](const std::string& subject, const std::string& law, double limit, const std::string& meaning, const Deviation& deviation) {
     findings.push_back({subject, law, meaning, true, limit, deviation});
   };

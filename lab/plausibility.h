@@ -10,7 +10,7 @@
 namespace relume {
 
 /// What was found of one law and one subject.
-struct Finding {
+struct LawFinding {
   std::string subject;  ///< "specular ggx", "distribution beckmann"
   std::string law, meaning;
   bool claimed = true;
@@ -32,9 +32,9 @@ const std::vector<std::string>& law_names();
 
 /// Measures the lobe in the furnace, then its claims; of positive, reciprocal and conserving also those that it does not claim. A law that none of
 /// its settings is for (a smooth surface's, where a width was fixed) is left out.
-std::vector<Finding> findings_of(Examined& lobe);
+std::vector<LawFinding> findings_of(Examined& lobe);
 
 /// Of every distribution, shadowing and Fresnel term.
-std::vector<Finding> findings_of_terms(std::shared_ptr<Device> device);
+std::vector<LawFinding> findings_of_terms(std::shared_ptr<Device> device);
 
 }  // namespace relume

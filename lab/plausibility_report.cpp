@@ -16,24 +16,24 @@ std::string printed(const char* format, const Values&... values) {
   return text;
 }
 
-const Finding* finding_of(const std::vector<Finding>& findings, const std::string& law) {
-  const auto found = std::find_if(findings.begin(), findings.end(), [&](const Finding& f) { return f.law == law; });
+const LawFinding* finding_of(const std::vector<LawFinding>& findings, const std::string& law) {
+  const auto found = std::find_if(findings.begin(), findings.end(), [&](const LawFinding& f) { return f.law == law; });
   return found == findings.end() ? nullptr : &*found;
 }
 
-const char* verdict(const Finding& f) { return f.fails() ? "FAILS" : f.holds() ? "yes" : "no"; }
+const char* verdict(const LawFinding& f) { return f.fails() ? "FAILS" : f.holds() ? "yes" : "no"; }
 
 /// The laws beyond the first three.
-std::string pins_of(const std::vector<Finding>& findings) {
+std::string pins_of(const std::vector<LawFinding>& findings) {
   std::string text;
-  for (const Finding& f : findings)
+  for (const LawFinding& f : findings)
     if (f.law != "positive" && f.law != "reciprocal" && f.law != "conserving")
       text += (text.empty() ? "" : ", ") + f.law + (f.fails() ? " FAILS" : "");
   return text;
 }
 
 /// "by 5.28", or for what is apart by a share how many times.
-std::string amount(const Finding& f) {
+std::string amount(const LawFinding& f) {
   const double by = f.deviation.by;
   if (f.law == "reciprocal" && by < 1) return printed("%.3g times as much one way as the other", 1 / (1 - by));
   if (f.law == "reciprocal") return "any number of times as much one way as the other";
@@ -41,9 +41,9 @@ std::string amount(const Finding& f) {
   return printed("by %.3g, %.3g is allowed", by, f.limit);
 }
 
-std::string explained(const std::vector<Finding>& findings, bool claimed) {
+std::string explained(const std::vector<LawFinding>& findings, bool claimed) {
   std::string text;
-  for (const Finding& f : findings)
+  for (const LawFinding& f : findings)
     if (!f.holds() && f.claimed == claimed)
       text += "  " + f.subject + ": not " + f.law + ": " + amount(f) + "\n      at " + f.deviation.where + "\n      (" + f.meaning + ")\n";
   return text;
@@ -53,7 +53,7 @@ std::string row_of(const Examination& e) {
   const FurnaceRange range = range_of(e.lobe.furnace);
   std::string row = printed("%-31s %6.4f..%6.4f ", e.lobe.full_name().c_str(), range.least, range.greatest);
   for (const char* law : {"positive", "reciprocal", "conserving"})
-    if (const Finding* f = finding_of(e.findings, law)) row += printed(" %-10s", verdict(*f));
+    if (const LawFinding* f = finding_of(e.findings, law)) row += printed(" %-10s", verdict(*f));
   return row + " " + pins_of(e.findings) + "\n";
 }
 
@@ -78,7 +78,7 @@ FurnaceRange range_of(const std::vector<FurnaceRow>& furnace) {
   return range;
 }
 
-std::string table_text(const std::vector<Examination>& lobes, const std::vector<Finding>& terms) {
+std::string table_text(const std::vector<Examination>& lobes, const std::vector<LawFinding>& terms) {
   std::string text = printed("%-31s %-15s  %-10s %-10s %-10s %s\n", "BRDF", "white furnace", "positive", "reciprocal", "conserving", "pinned by");
   std::string broken, failed;
   for (const Examination& e : lobes) {
@@ -86,7 +86,7 @@ std::string table_text(const std::vector<Examination>& lobes, const std::vector<
     broken += explained(e.findings, false);
     failed += explained(e.findings, true);
   }
-  for (const Finding& f : terms)
+  for (const LawFinding& f : terms)
     text += printed("%-42s %-14s %-6s off by %.2g (%s)\n", f.subject.c_str(), f.law.c_str(), verdict(f), f.deviation.by, f.meaning.c_str());
   failed += explained(terms, true);
   if (!broken.empty()) text += "\nNot kept, and not claimed:\n" + broken;
@@ -111,7 +111,7 @@ Figure furnace_figure(const std::vector<Examination>& lobes) {
   double most = 1;
   for (const Examination& e : lobes) {
     const FurnaceRange range = range_of(e.lobe.furnace);
-    const Finding* conserving = finding_of(e.findings, "conserving");
+    const LawFinding* conserving = finding_of(e.findings, "conserving");
     most = std::max(most, range.greatest);
     rows += printed("%d %.6g %.6g %d %.4g\n", place, range.least, range.greatest, conserving && conserving->holds() ? 1 : 2, range.greatest);
     names += printed("%s\"%s\" %d", names.empty() ? "" : ", ", e.lobe.full_name().c_str(), place--);

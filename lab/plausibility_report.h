@@ -12,7 +12,7 @@ namespace relume {
 /// A lobe, measured, and what was found of it.
 struct Examination {
   Examined lobe;
-  std::vector<Finding> findings;
+  std::vector<LawFinding> findings;
 };
 
 /// The least and the greatest directional albedo with all reflectances at 1, and where.
@@ -24,7 +24,7 @@ struct FurnaceRange {
 FurnaceRange range_of(const std::vector<FurnaceRow>& furnace);
 
 /// A row for each lobe and each term; then, for people, each law that is not kept and by how much.
-std::string table_text(const std::vector<Examination>& lobes, const std::vector<Finding>& terms);
+std::string table_text(const std::vector<Examination>& lobes, const std::vector<LawFinding>& terms);
 
 /// A row for each lobe, setting and angle: half, brdf, setting, view in degrees, albedo, error.
 std::string albedo_csv(const std::vector<Examination>& lobes);

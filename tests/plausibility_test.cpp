@@ -130,7 +130,7 @@ Examined changed(const Examined& e, const std::function<glm::dvec3(const glm::dv
 
 std::vector<std::string> failures_of(Examined e) {
   std::vector<std::string> laws;
-  for (const Finding& f : findings_of(e))
+  for (const LawFinding& f : findings_of(e))
     if (f.fails()) laws.push_back(f.law);
   return laws;
 }
@@ -139,9 +139,9 @@ class EveryLobe : public testing::TestWithParam<const Lobe*> {};
 
 TEST_P(EveryLobe, KeepsItsClaimsAndNoneOfThemIsIdle) {
   Examined e = few_settings(*GetParam(), 6);
-  const std::vector<Finding> findings = findings_of(e);
-  EXPECT_EQ(std::size_t(std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return f.claimed; })), GetParam()->claims.size());
-  for (const Finding& f : findings) {
+  const std::vector<LawFinding> findings = findings_of(e);
+  EXPECT_EQ(std::size_t(std::count_if(findings.begin(), findings.end(), [](const LawFinding& f) { return f.claimed; })), GetParam()->claims.size());
+  for (const LawFinding& f : findings) {
     EXPECT_FALSE(f.fails()) << f.law << " by " << f.deviation.by << " at " << f.deviation.where;
   }
 }
@@ -225,7 +225,7 @@ TermsWith factors(const std::string& distribution, const std::function<void(Term
 }
 
 TEST(Terms, KeepTheirLaws) {
-  for (const Finding& f : findings_of_terms(lab_device("twin")))
+  for (const LawFinding& f : findings_of_terms(lab_device("twin")))
     EXPECT_FALSE(f.fails()) << f.subject << " " << f.law << " " << f.deviation.by << " " << f.deviation.where;
   EXPECT_LE(distribution_normalised(factors("ggx", [](TermValues&, const DirectionPair&) {})).by, 1e-6);
 }
