@@ -10,8 +10,9 @@
 
 namespace relume {
 
-/// Where the file's importer leaves a choice.
+/// What is known of the scene beside its nodes.
 struct SceneKind {
+  unsigned materials = 1;       ///< how many take_materials() makes
   bool linear_colours = false;  ///< of vertices: glTF's; PLY's and OBJ's are on the sRGB curve, as what writes them shows them
 };
 

@@ -7,6 +7,8 @@
 
 #include <glm/matrix.hpp>
 
+#include "gbuffer/printable.h"
+
 namespace relume {
 namespace {
 
@@ -26,9 +28,10 @@ glm::dmat4 ndc_from_camera(const Camera& camera, const Lens& lens, const BakeJob
 }
 
 std::string names_of(const Mesh& mesh) {
-  constexpr std::size_t most = 1000;  // a header is read before anything else is known of the file
+  constexpr std::size_t enough = 1 << 14;  // bytes: headers are read whole, by every program that looks at the file
   std::string names;
-  for (std::size_t i = 0; i < std::min(mesh.objects.size(), most); ++i) names += (i ? "\n" : "") + std::to_string(i + 1) + " " + mesh.objects[i];
+  for (std::size_t i = 0; i < mesh.objects.size() && names.size() < enough; ++i)
+    names += (i ? "\n" : "") + std::to_string(i + 1) + " " + printable(mesh.objects[i]);
   return names;
 }
 

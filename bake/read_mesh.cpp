@@ -106,7 +106,7 @@ Mesh read_mesh(const std::filesystem::path& file, const MeshOptions& options) {
   check_faces(const_cast<aiScene&>(read), name);  // the importer keeps it, to be worked on in place
   const aiScene* const triangles = triangulated(importer, name);
   if (!triangles) throw Error(ErrorKind::input, name + ": its faces cannot be cut into triangles: " + why_not(importer));
-  take_geometry(*triangles, world_from_file(file, options), {is_gltf(file)}, name, mesh);
+  take_geometry(*triangles, world_from_file(file, options), {std::max(triangles->mNumMaterials, 1U), is_gltf(file)}, name, mesh);
   if (mesh.triangles.empty()) throw Error(ErrorKind::input, name + ": has no triangles (points, lines and faces without area are not baked)");
   take_materials(*triangles, file, mesh);
   make_normals(mesh, options.normals);

@@ -48,7 +48,9 @@ class MeshAtNode {
         ++left_out;
         continue;
       }
-      MeshTriangle triangle{{vertex(face.mIndices[0]), vertex(face.mIndices[1]), vertex(face.mIndices[2])}, object, from_.mMaterialIndex};
+      MeshTriangle triangle{{vertex(face.mIndices[0]), vertex(face.mIndices[1]), vertex(face.mIndices[2])},
+                            object,
+                            std::min(from_.mMaterialIndex, kind_.materials - 1)};
       if (mirrored) std::swap(triangle.vertices[1], triangle.vertices[2]);
       to_.triangles.push_back(triangle);
     }

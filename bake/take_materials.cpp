@@ -128,6 +128,7 @@ void take_materials(const aiScene& scene, const std::filesystem::path& file, Mes
     mesh.has_metallic |= take_number(*from, metallic, textures, to.metallic, to.metallic_channel);
     mesh.materials.push_back(std::move(to));
   }
+  if (mesh.materials.empty()) mesh.materials.emplace_back();
   note_bare_metal(mesh);
 }
 

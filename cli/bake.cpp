@@ -43,7 +43,7 @@ int bake_mesh(const BakeCommand& c) {
   c.arguments.check();
   Mesh mesh = read_mesh(c.mesh, c.arguments.mesh_options());
   std::vector<std::string> notes = mesh.notes;
-  const View view = c.arguments.view_of(mesh, c.mesh, notes);
+  const MeshView view = c.arguments.view_of(mesh, c.mesh, notes);
   const BakeJob job{c.output,
                     view.camera,
                     view.width,

@@ -111,12 +111,12 @@ Camera BakeArguments::placed_camera(const Mesh& mesh) const {
 }
 
 /// A glTF's camera is turned with its world, as the mesh is; others stand in the world already.
-View BakeArguments::camera_from_file(const std::string& file) const {
+MeshView BakeArguments::camera_from_file(const std::string& file) const {
   const std::string place = printable(file);
   if (lower(std::filesystem::path(file).extension().string()) == ".exr") {
     const Reading reading = understand(ExrFile(file), {});
     if (!reading.camera) throw Error(ErrorKind::input, place + ": no camera in its header, and none that its positions tell");
-    View view{*reading.camera, reading.display_window.width(), reading.display_window.height()};
+    MeshView view{*reading.camera, reading.display_window.width(), reading.display_window.height()};
     const auto wanted = size_of(size);
     view.camera.lens = lens_of(view.camera, reading.display_window, reading.pixel_aspect);
     resize(view.camera, reading.display_window, wanted.value_or(Size{view.width, view.height}));
@@ -130,8 +130,8 @@ View BakeArguments::camera_from_file(const std::string& file) const {
   return {*rig.camera, 0, 0};
 }
 
-View BakeArguments::view_of(const Mesh& mesh, const std::string& mesh_file, std::vector<std::string>& notes) const {
-  View view;
+MeshView BakeArguments::view_of(const Mesh& mesh, const std::string& mesh_file, std::vector<std::string>& notes) const {
+  MeshView view;
   const bool own = mesh.has_camera && camera.empty() && eye.empty();
   if (!camera.empty() || own) {
     view = camera_from_file(own ? mesh_file : camera);

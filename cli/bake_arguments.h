@@ -11,7 +11,7 @@
 namespace relume {
 
 /// A camera and the size of its picture.
-struct View {
+struct MeshView {
   Camera camera;
   int width = 0, height = 0;
 };
@@ -26,11 +26,11 @@ struct BakeArguments {
   void check() const;
   MeshOptions mesh_options() const;
   /// What --camera names, --eye places, the mesh's file has, or else what frames the mesh; `notes` say which where nobody chose.
-  View view_of(const Mesh& mesh, const std::string& mesh_file, std::vector<std::string>& notes) const;
+  MeshView view_of(const Mesh& mesh, const std::string& mesh_file, std::vector<std::string>& notes) const;
 
  private:
   Camera placed_camera(const Mesh& mesh) const;
-  View camera_from_file(const std::string& file) const;
+  MeshView camera_from_file(const std::string& file) const;
   glm::dvec3 up() const;
 };
 

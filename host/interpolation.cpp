@@ -33,7 +33,9 @@ MeshRadiance::MeshRadiance(const ExrFile& file, const Reading& pixels, Interpola
       layout_(layout),
       pixels_part_(pixels.part),
       reading_(reading_of_part(pixels, file, mesh_part(file, interpolation == Interpolation::flat ? facets_part : vertices_part))) {
-  const std::int64_t samples = reading_.data_window.pixels(), bytes = samples * layout.planes() * std::int64_t(sizeof(float));
+  const std::int64_t samples = reading_.data_window.pixels(),
+                     facets = interpolation == Interpolation::gouraud ? mesh_part(file, facets_part).data_window.pixels() : 0;
+  const std::int64_t bytes = (samples * layout.planes() + 3 * facets) * std::int64_t(sizeof(float));
   if (bytes > memory)
     throw Error(ErrorKind::memory, printable(file.path().native()) + ": the radiance of " + std::to_string(samples) + " samples of the mesh needs " +
                                        std::to_string(bytes) + " bytes; --memory allows " + std::to_string(memory));

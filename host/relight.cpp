@@ -256,10 +256,7 @@ void Relight::shade_band(BandInWork& band) {
   const double all = double(window_.pixels()) * shading_->rounds();
   double done = double(gbuffer.window.min_y - window_.min_y) * window_.width() * shading_->rounds();
   const auto shaded = [&](std::int64_t pixels) { progress("shade", std::min((done += double(pixels)) / all, 1.0)); };
-  if (mesh_)
-    mesh_->interpolate(gbuffer, band.out);
-  else
-    shading_->shade(gbuffer, band.out, shade_watch_, shaded);
+  mesh_ ? mesh_->interpolate(gbuffer, band.out) : shading_->shade(gbuffer, band.out, shade_watch_, shaded);
   write_alpha(gbuffer, band.out);
   fold_surfaces(gbuffer, band.out);
   shade_watch_.lap("shade");

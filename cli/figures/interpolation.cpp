@@ -62,7 +62,7 @@ void write_text(const std::string& file, const std::string& text, bool overwrite
 void bake_to(const std::filesystem::path& file, const Arguments& a, std::vector<std::string>& notes) {
   Mesh mesh = a.input.empty() ? sphere_mesh(3) : read_mesh(a.input, a.view.mesh_options());
   notes = mesh.notes;
-  const View seen = a.view.view_of(mesh, a.input, notes);
+  const MeshView seen = a.view.view_of(mesh, a.input, notes);
   BakeJob job;
   job.output = file;
   job.camera = seen.camera;
