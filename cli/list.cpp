@@ -80,10 +80,7 @@ void print_brdfs(const Json& lists) {
 
 Json lights_json() {
   Json all = Json::array();
-  for (const Term& light : light_types()) all.push_back({{"name", light.name}, {"keys", light.parameters}, {"source", light.source}});
-  all.push_back({{"name", "ambient"},
-                 {"keys", {"intensity", "fraction"}},
-                 {"source", "incident radiance from everywhere, W/(m^2 sr), or a share of the mean direct irradiance"}});
+  for (const Term& light : all_light_types()) all.push_back({{"name", light.name}, {"keys", light.parameters}, {"source", light.source}});
   return all;
 }
 

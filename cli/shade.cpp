@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/environment_arguments.h"
 #include "cli/progress.h"
 #include "cli/reading_arguments.h"
 #include "gbuffer/error.h"
@@ -19,6 +20,7 @@ struct ShadeArguments {
                                                              interpolation = "phong", compression = "zip", units, up, range, scale = "auto",
                                                              memory = "2G", error = "0";
   std::vector<std::string> rigs, set;
+  EnvironmentArguments environments;
   double exposure = 0;
   bool half = false, full = false, overwrite = false, quiet = false, json = false;
   ReadingArguments reading;
@@ -92,6 +94,7 @@ RelightJob job_of(const ShadeArguments& a) {
   if (!a.up.empty()) job.rig_options.up = a.up == "y" ? RigOptions::Up::y : RigOptions::Up::z;
   if (a.scale != "auto") job.rig_options.scale = scale_of(a.scale);
   if (!a.range.empty()) job.rig_options.obey_range = a.range == "obey";
+  job.environments = a.environments.options();
   job.reading = a.reading.options();
   if (a.diffuse != "auto") job.material.diffuse = a.diffuse;
   if (a.specular != "auto") job.material.specular = a.specular;
@@ -122,6 +125,7 @@ nlohmann::ordered_json json_of(const RelightSummary& s) {
           {"surface_pixels", s.surface_pixels},
           {"bad_pixels", s.bad_pixels},
           {"lights", s.lights},
+          {"directions", s.directions},
           {"bands", s.bands},
           {"programs", s.programs},
           {"seconds", seconds},
@@ -140,7 +144,8 @@ int shade(const ShadeArguments& arguments) {
     std::cout << json_of(summary).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
   } else if (!arguments.quiet) {
     for (const std::string& note : summary.notes) std::cerr << "note: " << printable_sentence(note) << "\n";
-    std::fprintf(stderr, "%dx%d, %d lights, %lld surface pixels on %s:", summary.window.width(), summary.window.height(), summary.lights,
+    std::fprintf(stderr, "%dx%d, %d lights%s, %lld surface pixels on %s:", summary.window.width(), summary.window.height(), summary.lights,
+                 summary.directions == summary.lights ? "" : (" in " + std::to_string(summary.directions) + " directions").c_str(),
                  static_cast<long long>(summary.surface_pixels), printable(summary.device).c_str());
     for (const auto& [stage, seconds] : summary.seconds) std::fprintf(stderr, " %s %.3f s", stage.c_str(), seconds);
     std::fprintf(stderr, "; %.1f million pixel*lights/s\n", summary.pixel_lights_per_second / 1e6);
@@ -197,6 +202,7 @@ void add_shade(CLI::App& command, Action& action) {
           "radiance interpolated (gouraud), or its facets (flat)")
       ->check(CLI::IsMember({"phong", "gouraud", "flat"}))
       ->capture_default_str();
+  a->environments.add_to(command);
   a->reading.add_to(command);
   add_rig_options(command, *a);
   add_output_options(command, *a);

@@ -8,9 +8,7 @@
 
 namespace relume {
 
-std::vector<float> ambient_nodes() {
-  // 16 x 12 on the half: tests/ambient_test.cpp prints what error that leaves, lobe by lobe.
-  constexpr int u_nodes = 16, phi_nodes = 12;
+std::vector<float> ambient_nodes(int u_nodes, int phi_nodes) {
   const Quadrature rule = gauss_legendre(u_nodes);
   std::vector<float> nodes;
   for (int i = 0; i < u_nodes; ++i)

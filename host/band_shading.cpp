@@ -10,8 +10,15 @@
 namespace relume {
 
 BandShading::BandShading(Device& device, const Binding& binding, const LightLinks& lights, const OutputLayout& layout, const Reading& reading,
-                         double error)
-    : device_(device), binding_(binding), lights_(lights), layout_(layout), reading_(reading), error_(error), records_(lights.records()) {
+                         double error, const EnvironmentOptions& environments)
+    : device_(device),
+      binding_(binding),
+      lights_(lights),
+      layout_(layout),
+      reading_(reading),
+      error_(error),
+      environments_(lights.environments(), environments, binding.tables()),
+      records_(lights.records()) {
   // A bumped normal's shadow is no part of the lobes that are bounded, and between the entries of a measured table anything may lie.
   const std::vector<Choice>& programs = binding.programs();
   const bool measured = std::any_of(programs.begin(), programs.end(), [](const Choice& c) { return c.specular == SPECULAR_merl; });
@@ -31,6 +38,7 @@ Frame BandShading::frame_of(const GBuffer& gbuffer, const Planes& out) const {
   frame.diffuse = layout_.diffuse;
   frame.specular = layout_.specular;
   frame.ambient_out = layout_.ambient;
+  frame.error = -1;
   return frame;
 }
 
@@ -45,12 +53,15 @@ void BandShading::add_irradiance(GBuffer& gbuffer, Irradiance& irradiance, const
   LightLists lists;
   const Choice lambert{DIFFUSE_lambert, SPECULAR_none, 0, 0, 0};
   const std::vector<int> starts = list_lights(gbuffer, frame, {&lambert, 1}, lists);
-  const auto band = device_.bind({&gbuffer.planes, records_, lists.numbers(), binding_.tables(), &out});
+  frame.environment.scramble = environments_.scramble(gbuffer);
+  const auto band = device_.bind({&gbuffer.planes, records_, lists.numbers(), environments_.tables(), &out});
   for (std::size_t g = 0; g < groups.size(); ++g) {
     std::copy(groups[g].begin.begin(), groups[g].begin.end(), frame.light_begin);
     frame.lists = starts[g];
     frame.total = 3 * int(g);
     band->shade(lambert, frame, progress);
+    for (const RigLight& light : lights_.lights())
+      if (light.group == int(g) && light.environment >= 0) environments_.add(*band, lambert, frame, light.environment, progress);
   }
   band->finish();
   for (std::size_t g = 1; g < groups.size(); ++g) add_weighed(out, 3 * int(g), 0, weights_of(groups[g], gbuffer));
@@ -71,12 +82,16 @@ void BandShading::shade(GBuffer& gbuffer, Planes& out, Stopwatch& watch, const P
   LightLists lists;
   const std::vector<int> starts = list_lights(gbuffer, bound, binding_.programs(), lists);
   watch.lap("cull");
-  const auto band = device_.bind({&gbuffer.planes, records_, lists.numbers(), binding_.tables(), &out});
+  bound.environment.scramble = environments_.scramble(gbuffer);
+  const auto band = device_.bind({&gbuffer.planes, records_, lists.numbers(), environments_.tables(), &out});
   for (std::size_t g = 0; g < lights_.groups().size(); ++g) {
     Frame frame = bound;
     aim(frame, g);
     frame.lists = starts[g];
+    frame.error = error_plane();
     shade_programs(*band, frame, progress);
+    for (const RigLight& light : lights_.lights())
+      if (light.group == int(g)) add_environment(*band, frame, light, progress);
   }
   if (layout_.lights >= 0) shade_lights(*band, bound, progress);
   band->finish();
@@ -126,15 +141,27 @@ void BandShading::shade_programs(Band& band, Frame& frame, const Progress& progr
   }
 }
 
+/// An environment that the device evaluates, beside what is there.
+void BandShading::add_environment(Band& band, Frame frame, const RigLight& light, const Progress& progress) const {
+  if (light.environment < 0) return;
+  for (std::size_t p = 0; p < binding_.programs().size(); ++p) {
+    frame.program = int(p);
+    frame.width_rule = binding_.width_rule(int(p));
+    environments_.add(band, binding_.programs()[p], frame, light.environment, progress);
+  }
+}
+
 /// Each light alone, into its own layer.
 void BandShading::shade_lights(Band& band, Frame frame, const Progress& progress) const {
   frame.diffuse = frame.specular = frame.ambient_out = -1;
   frame.ambient[3] = 0;
-  for (int k = 0; k < int(lights_.records().size()); ++k) {
-    const LightGroup& group = lights_.group_of(k);
-    for (int type = 0; type <= LIGHT_COUNT; ++type) frame.light_begin[type] = group.begin[std::size_t(type)] <= k ? k : k + 1;
-    frame.total = layout_.lights + 3 * k;
-    shade_programs(band, frame, progress);
+  for (std::size_t k = 0; k < lights_.lights().size(); ++k) {
+    const RigLight& light = lights_.lights()[k];
+    const LightGroup& group = lights_.groups()[std::size_t(light.group)];
+    for (int type = 0; type <= LIGHT_COUNT; ++type) frame.light_begin[type] = group.begin[std::size_t(type)] <= light.begin ? light.begin : light.end;
+    frame.total = layout_.lights + 3 * int(k);
+    if (light.begin < light.end) shade_programs(band, frame, progress);
+    add_environment(band, frame, light, progress);
   }
 }
 
@@ -149,7 +176,8 @@ void BandShading::add_linked(const GBuffer& gbuffer, Planes& out, const Frame& b
     for (const auto plane : {&Frame::diffuse, &Frame::specular, &Frame::ambient_out})
       if (bound.*plane >= 0) add_weighed(out, aimed.*plane, bound.*plane, weights);
     if (layout_.lights >= 0)
-      for (int k = group.begin.front(); k < group.begin.back(); ++k) weigh(out, layout_.lights + 3 * k, weights);
+      for (std::size_t k = 0; k < lights_.lights().size(); ++k)
+        if (lights_.lights()[k].group == int(g)) weigh(out, layout_.lights + 3 * int(k), weights);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "gbuffer/gbuffer.h"
 #include "host/binding.h"
 #include "host/device.h"
+#include "host/environment_shading.h"
 #include "host/light_links.h"
 #include "host/light_lists.h"
 #include "host/output_layout.h"
@@ -17,10 +18,15 @@ namespace relume {
 class BandShading {
  public:
   /// All of them outlive it. `error`: share of itself that a pixel's radiance may be off by, through a light tree; 0: exact.
-  BandShading(Device& device, const Binding& binding, const LightLinks& lights, const OutputLayout& layout, const Reading& reading, double error);
+  BandShading(Device& device, const Binding& binding, const LightLinks& lights, const OutputLayout& layout, const Reading& reading, double error,
+              const EnvironmentOptions& environments = {});
 
-  /// Planes of `out` that shade() needs: the layout's own, and behind them the colours of each linked group of lights.
-  int planes() const { return layout_.planes() + linked_planes(); }
+  /// Planes of `out` that shade() needs: the layout's own, behind them the colours of each linked group of lights, and the error.
+  int planes() const { return layout_.planes() + linked_planes() + (environments_.estimates() ? 1 : 0); }
+  /// The plane of the squared error that samples of environments leave; -1: none do.
+  int error_plane() const { return environments_.estimates() ? planes() - 1 : -1; }
+  /// Planes that a band needs for its caller's shading.
+  int spare_planes() const { return binding_.spare_planes() + environments_.spare_planes(); }
 
   /// Adds a band's irradiance, pixel by pixel, to what a mean is made of: every surface is shaded as Lambert with albedo pi.
   struct Irradiance {
@@ -42,7 +48,7 @@ class BandShading {
   };
   const TreeStatistics& tree_statistics() const { return statistics_; }
   /// How often each pixel is shaded for the total.
-  double rounds() const { return double(binding_.programs().size() * lights_.groups().size()); }
+  double rounds() const { return double(binding_.programs().size() * (lights_.groups().size() + lights_.environments().size())); }
 
  private:
   int linked_planes() const { return int(lights_.groups().size() - 1) * layout_.colours() * 3; }
@@ -51,6 +57,7 @@ class BandShading {
   void aim(Frame& frame, std::size_t group) const;
   void shade_programs(Band& band, Frame& frame, const Progress& progress) const;
   void shade_lights(Band& band, Frame frame, const Progress& progress) const;
+  void add_environment(Band& band, Frame frame, const RigLight& light, const Progress& progress) const;
   void add_linked(const GBuffer& gbuffer, Planes& out, const Frame& bound) const;
 
   Device& device_;
@@ -59,6 +66,7 @@ class BandShading {
   const OutputLayout& layout_;
   const Reading& reading_;
   const double error_;
+  EnvironmentShading environments_;
   std::vector<glm::dvec3> ambient_;   ///< of each group
   std::vector<LightTree> trees_;      ///< of each group
   std::vector<LightRecord> records_;  ///< the lights', and behind them what stands in for clusters of them

@@ -45,6 +45,9 @@ struct BandData {
 enum class Entry { RELUME_ENTRIES(RELUME_ENTRY_NAME) };
 #undef RELUME_ENTRY_NAME
 
+/// About what a kernel of environments costs a pixel, in lights: some dozens of samples, each with its look-ups as much as a few.
+constexpr std::int64_t environment_work = 512;
+
 /// Called between slices of work with the pixels done since the last call; may throw to stop.
 using Progress = std::function<void(std::int64_t pixels)>;
 
@@ -56,6 +59,8 @@ class Band {
   virtual void shade(const Choice& choice, const Frame& frame, const Progress& progress) = 0;
   /// Runs another kernel over all pixels of the frame: tabulated cosines (kernels/evaluate.h, kernels/terms.h), directions (kernels/directions.h).
   virtual void run(Entry entry, const Choice& choice, const Frame& frame) = 0;
+  /// Adds the light of frame.environment to what the output holds, by one of the kernels named environment_*.
+  virtual void add_environment(Entry entry, const Choice& choice, const Frame& frame, const Progress& progress) = 0;
   /// Makes the results visible in BandData::out.
   virtual void finish() = 0;
 };

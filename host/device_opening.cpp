@@ -13,10 +13,14 @@ DeviceOpening::DeviceOpening(const std::string& selector, Precision precision) :
   device_ = std::async(std::launch::async, [selector, precision] { return open_device(selector, 0, precision); });
 }
 
-std::unique_ptr<Device> DeviceOpening::tested(const std::vector<Choice>& programs, std::vector<std::string>& notes) try {
+std::unique_ptr<Device> DeviceOpening::tested(const std::vector<Choice>& programs, std::vector<std::string>& notes,
+                                              std::span<const Entry> environments) try {
   std::unique_ptr<Device> device = device_.get();
   if (device->info().name != "twin")
-    for (const Choice& program : programs) self_test(*device, program);
+    for (const Choice& program : programs) {
+      self_test(*device, program);
+      for (const Entry environment : environments) self_test(*device, program, environment);
+    }
   return device;
 } catch (const Error& error) {
   if (!selector_.empty() || error.kind != ErrorKind::device) throw;

@@ -3,6 +3,7 @@
 
 #include <future>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,9 +16,9 @@ class DeviceOpening {
   /// Begins to open the device that `selector` means (host/device.h).
   explicit DeviceOpening(const std::string& selector, Precision precision = Precision::exact);
 
-  /// The device, once it is open and has passed the self-test of every program. Where none was asked for and none is to be had, the C++ twin, and a
-  /// sentence in `notes`. Throws Error{device}.
-  std::unique_ptr<Device> tested(const std::vector<Choice>& programs, std::vector<std::string>& notes);
+  /// The device, once it is open and has passed the self-test of every program, with each of those for environments. Where none was asked for and
+  /// none is to be had, the C++ twin, and a sentence in `notes`. Throws Error{device}.
+  std::unique_ptr<Device> tested(const std::vector<Choice>& programs, std::vector<std::string>& notes, std::span<const Entry> environments = {});
 
  private:
   std::string selector_;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <limits>
 
 #include "gbuffer/error.h"
@@ -31,7 +32,8 @@ void for_values(std::size_t count, const Body& body) {
 
 }  // namespace
 
-LightLinks::LightLinks(const std::vector<Light>& lights, const ExrFile& file, Reading& reading, const ObjectIds* taken) {
+LightLinks::LightLinks(const std::vector<Light>& lights, const ExrFile& file, Reading& reading, const ObjectIds* taken,
+                       const EnvironmentOptions& environments) {
   if (taken && !taken->is_cryptomatte()) numbers_ = taken->name();
   std::vector<std::vector<Light>> members(1);  // of each group
   for (const Light& light : lights) {
@@ -45,12 +47,17 @@ LightLinks::LightLinks(const std::vector<Light>& lights, const ExrFile& file, Re
     members[place].push_back(light);
   }
   for (std::size_t g = 0; g < groups_.size(); ++g) {
-    const LightRecords own = light_records(members[g]);
+    LightRecords own = light_records(members[g], environments);
     groups_[g].ambient = own.ambient;
     groups_[g].ambient_fraction = own.ambient_fraction;
     for (std::size_t type = 0; type < own.begin.size(); ++type) groups_[g].begin[type] = int(records_.size()) + own.begin[type];
+    const int first = int(records_.size()), first_environment = int(environments_.size());
+    for (const RigLight& light : own.lights)
+      lights_.push_back(
+          {light.name, first + light.begin, first + light.end, light.environment < 0 ? -1 : first_environment + light.environment, int(g)});
+    std::move(own.environments.begin(), own.environments.end(), std::back_inserter(environments_));
     records_.insert(records_.end(), own.records.begin(), own.records.end());
-    names_.insert(names_.end(), own.names.begin(), own.names.end());
+    environment_notes_.insert(environment_notes_.end(), own.notes.begin(), own.notes.end());
   }
 }
 
@@ -75,10 +82,6 @@ LightGroup LightLinks::group_of(const Light& light, const ExrFile& file, Reading
   return group;
 }
 
-const LightGroup& LightLinks::group_of(int record) const {
-  return *std::find_if(groups_.begin(), groups_.end(), [&](const LightGroup& g) { return record < g.begin.back(); });
-}
-
 std::vector<std::string> LightLinks::roles() const {
   std::vector<std::string> roles;
   for (const auto& [name, layer] : layers_) roles.insert(roles.end(), layer.roles().begin(), layer.roles().end());
@@ -86,7 +89,7 @@ std::vector<std::string> LightLinks::roles() const {
 }
 
 std::vector<std::string> LightLinks::notes() const {
-  std::vector<std::string> notes;
+  std::vector<std::string> notes = environment_notes_;
   for (const auto& [name, layer] : layers_) notes.insert(notes.end(), layer.notes().begin(), layer.notes().end());
   return notes;
 }

@@ -31,14 +31,15 @@ class LightLinks {
  public:
   /// Finds the objects. Their layers are added to `reading.roles`; `taken`: the layer that materials take their ids from, or null. Throws
   /// Error{input} naming the light.
-  LightLinks(const std::vector<Light>& lights, const ExrFile& file, Reading& reading, const ObjectIds* taken);
+  LightLinks(const std::vector<Light>& lights, const ExrFile& file, Reading& reading, const ObjectIds* taken,
+             const EnvironmentOptions& environments = {});
   LightLinks(const LightLinks&) = delete;  // groups point into it
   LightLinks& operator=(const LightLinks&) = delete;
 
   const std::vector<LightRecord>& records() const { return records_; }
-  const std::vector<std::string>& names() const { return names_; }  ///< of each record
+  const std::vector<RigLight>& lights() const { return lights_; }
+  const std::vector<DeviceEnvironment>& environments() const { return environments_; }
   const std::vector<LightGroup>& groups() const { return groups_; }
-  const LightGroup& group_of(int record) const;  ///< by the record's number
   /// For read_gbuffer.
   std::vector<std::string> roles() const;
   std::vector<std::string> notes() const;
@@ -50,7 +51,9 @@ class LightLinks {
   std::map<std::pair<std::string, bool>, ObjectIds> layers_;  ///< by the name that a rig gives, and whether it speaks of names
   std::vector<LightGroup> groups_{LightGroup{}};
   std::vector<LightRecord> records_;
-  std::vector<std::string> names_;
+  std::vector<RigLight> lights_;
+  std::vector<DeviceEnvironment> environments_;
+  std::vector<std::string> environment_notes_;
 };
 
 /// How much of the group's light each pixel takes, 0..1.

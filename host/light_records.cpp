@@ -4,6 +4,9 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 #include <limits>
+#include <utility>
+
+#include "host/environment_lights.h"
 
 namespace relume {
 namespace {
@@ -34,15 +37,27 @@ LightRecord record_of(const Light& light) {
 
 }  // namespace
 
-LightRecords light_records(const std::vector<Light>& lights) {
+LightRecords light_records(const std::vector<Light>& lights, const EnvironmentOptions& environments) {
   LightRecords result;
+  const auto add = [&](const Light& light, const std::vector<LightRecord>& records) {
+    const int begin = int(result.records.size());
+    result.records.insert(result.records.end(), records.begin(), records.end());
+    result.lights.push_back({light.name, begin, int(result.records.size())});
+  };
+  const auto add_environment = [&](const Light& light) {
+    EnvironmentLights found = environment_lights(light, environments, result.notes);
+    add(light, found.records);
+    if (!found.on_device) return;
+    result.lights.back().environment = int(result.environments.size());
+    result.environments.push_back(std::move(*found.on_device));
+  };
   for (int type = 0; type < LIGHT_COUNT; ++type) {
     result.begin[type] = int(result.records.size());
     for (const Light& light : lights)
-      if (int(light.type) == type) {
-        result.records.push_back(record_of(light));
-        result.names.push_back(light.name);
-      }
+      if (int(light.type) == type) add(light, {record_of(light)});
+    if (type != LIGHT_directional) continue;
+    for (const Light& light : lights)
+      if (light.type == LightType::environment) add_environment(light);
   }
   result.begin[LIGHT_COUNT] = int(result.records.size());
   for (const Light& light : lights)

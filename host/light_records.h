@@ -6,19 +6,32 @@
 #include <string>
 #include <vector>
 
+#include "host/device_environment.h"
+#include "host/environment_options.h"
 #include "host/frame.h"
 #include "host/rig.h"
 
 namespace relume {
 
-struct LightRecords {
-  std::vector<LightRecord> records;          ///< sorted by type; within a type in the rig's order
-  std::array<int, LIGHT_COUNT + 1> begin{};  ///< records[begin[t]] .. records[begin[t + 1]] are of type t
-  std::vector<std::string> names;            ///< of each record, for layers
-  glm::dvec3 ambient{0};                     ///< sum of the ambient lights' radiance
-  double ambient_fraction = 0;               ///< sum of the ambient lights' fractions
+/// A light of the rig with its records: one, or one for each of an environment's directions, or none where the device evaluates an image.
+struct RigLight {
+  std::string name;
+  int begin = 0, end = 0;
+  int environment = -1;  ///< which of the environments, or -1: none
+  int group = 0;         ///< of LightLinks
 };
 
-LightRecords light_records(const std::vector<Light>& lights);
+struct LightRecords {
+  std::vector<LightRecord> records;          ///< sorted by type; within a type in the rig's order; environments after directional ones
+  std::array<int, LIGHT_COUNT + 1> begin{};  ///< records[begin[t]] .. records[begin[t + 1]] are of type t
+  std::vector<RigLight> lights;              ///< all but ambient ones, in the order of their records
+  std::vector<DeviceEnvironment> environments;
+  std::vector<std::string> notes;  ///< how environments were taken
+  glm::dvec3 ambient{0};           ///< sum of the ambient lights' radiance
+  double ambient_fraction = 0;     ///< sum of the ambient lights' fractions
+};
+
+/// Reads the images of environments. Error{input}.
+LightRecords light_records(const std::vector<Light>& lights, const EnvironmentOptions& environments = {.method = EnvironmentMethod::exact});
 
 }  // namespace relume

@@ -6,6 +6,7 @@
 
 #include "gbuffer/error.h"
 #include "host/json.h"
+#include "host/surrounding_lights.h"
 
 namespace relume {
 namespace kernel {
@@ -118,6 +119,23 @@ const std::vector<Term>& light_types() {
   static const std::vector<Term> list = {RELUME_LIGHTS(RELUME_ITEM)};
 #undef RELUME_ITEM
   return list;
+}
+
+const std::vector<Term>& surrounding_light_types() {
+  static const std::vector<Term> list = [] {
+#define RELUME_ITEM(name, keys, source) {#name, split(keys), source, 0},
+    std::vector<Term> terms = {RELUME_SURROUNDING_LIGHTS(RELUME_ITEM)};
+#undef RELUME_ITEM
+    for (int number = kernel::LIGHT_COUNT; Term & term : terms) term.number = number++;
+    return terms;
+  }();
+  return list;
+}
+
+std::vector<Term> all_light_types() {
+  std::vector<Term> all = light_types();
+  all.insert(all.end(), surrounding_light_types().begin(), surrounding_light_types().end());
+  return all;
 }
 
 const Parameter* find_parameter(std::string_view name) { return find_named(parameters(), name); }

@@ -43,6 +43,10 @@ const std::vector<Term>& fresnels();
 const std::vector<Term>& shadowings();
 const std::vector<Term>& distributions();
 const std::vector<Term>& light_types();
+/// Those of host/surrounding_lights.h, which have no kernel of their own; numbered after the others.
+const std::vector<Term>& surrounding_light_types();
+/// Both lists, by number.
+std::vector<Term> all_light_types();
 
 /// Null where there is none of this name.
 const Parameter* find_parameter(std::string_view name);

@@ -72,6 +72,9 @@ class OpenClBand : public Band {
     launch(Entry::shade, choice, frame, lights_met(frame, data_.lists), progress);
   }
   void run(Entry entry, const Choice& choice, const Frame& frame) override { launch(entry, choice, frame, 1, {}); }
+  void add_environment(Entry entry, const Choice& choice, const Frame& frame, const Progress& progress) override {
+    launch(entry, choice, frame, environment_work, progress);
+  }
 
   void finish() override try {
     const InForeignCode driver(Foreign::driver);

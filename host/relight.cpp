@@ -18,6 +18,7 @@
 #include "host/camera_choice.h"
 #include "host/device.h"
 #include "host/device_opening.h"
+#include "host/environment_error.h"
 #include "host/frame_output.h"
 #include "host/light_links.h"
 #include "host/material_objects.h"
@@ -34,8 +35,8 @@ OutputLayout layout_of(const RelightJob& job, const LightLinks& lights) {
   if (job.specular_layer) layout.specular = layout.add_colour("specular");
   if (job.ambient_layer || job.light_layers) layout.ambient = layout.add_colour("ambient");
   if (job.light_layers)
-    for (std::size_t k = 0; k < lights.names().size(); ++k) {
-      const int first = layout.add_colour("light." + lights.names()[k]);
+    for (std::size_t k = 0; k < lights.lights().size(); ++k) {
+      const int first = layout.add_colour("light." + lights.lights()[k].name);
       if (k == 0) layout.lights = first;
     }
   return layout;
@@ -73,7 +74,7 @@ class Relight {
     open();
     shade_and_write();
     const double shading = watch_.seconds("shade");
-    summary_.pixel_lights_per_second = shading > 0 ? double(summary_.surface_pixels) * summary_.lights / shading : 0;
+    summary_.pixel_lights_per_second = shading > 0 ? double(summary_.surface_pixels) * summary_.directions / shading : 0;
     summary_.seconds = watch_.laps();
     return std::move(summary_);
   }
@@ -117,6 +118,7 @@ class Relight {
   std::optional<MeshRadiance> mesh_;  ///< where not pixels are lit but what they show parts of
   Window window_;
   MixedPixels mixed_pixels_;
+  EnvironmentError environment_error_;
 };
 
 /// What can be refused before any work.
@@ -136,7 +138,8 @@ void Relight::understand_all() {
   if (!job_.mend_edges) reading_.filtered = reading_.position_premultiplied = false;
   bind_materials_and_lights();
   summary_.convention = reading_.convention;
-  summary_.lights = int(lights_->records().size());
+  summary_.lights = int(lights_->lights().size());
+  summary_.directions = int(lights_->records().size()) + int(lights_->environments().size()) * directions_of(job_.environments);
   summary_.programs = binding_->descriptions();
   for (const std::string& what : reading_.made) note("made: " + what);
   for (const std::vector<std::string>& notes : {rig_.notes, reading_.notes, binding_->notes(), lights_->notes()})
@@ -159,7 +162,7 @@ void Relight::bind_materials_and_lights() {
   }
   binding_.emplace(
       job_.material, materials, job_.gbuffer.string(), [this](const std::string& layer) { return find_layer(file_, reading_, layer); }, reading_);
-  lights_.emplace(rig_.lights, file_, reading_, binding_->objects());
+  lights_.emplace(rig_.lights, file_, reading_, binding_->objects(), job_.environments);
   roles_ = binding_->roles();
   for (const std::string& role : lights_->roles())
     if (std::find(roles_.begin(), roles_.end(), role) == roles_.end()) roles_.push_back(role);
@@ -168,19 +171,19 @@ void Relight::bind_materials_and_lights() {
 
 void Relight::open() {
   progress("compile", 0);
-  device_ = opening_->tested(binding_->programs(), summary_.notes);
+  device_ = opening_->tested(binding_->programs(), summary_.notes, programs_for(lights_->environments(), job_.environments));
   summary_.device = device_->info().name;
   if (device_->info().precision == Precision::relaxed)
     note("relaxed precision: the picture differs from the exact one in rounding (docs/portability.md)");
   layout_ = layout_of(job_, *lights_);
-  shading_.emplace(*device_, *binding_, *lights_, layout_, reading_, job_.error);
+  shading_.emplace(*device_, *binding_, *lights_, layout_, reading_, job_.error, job_.environments);
   if (job_.interpolation != Interpolation::phong) mesh_.emplace(file_, reading_, job_.interpolation, layout_, job_.memory);
   watch_.lap("compile");
 }
 
 /// Planes in and out within the memory given, and each buffer within what the device takes.
 Bands Relight::bands(const Window& window) const {
-  std::int64_t in = 3 + 3 + 3 + 1 + 3 + binding_->spare_planes();  // and what is read beside the planes: depth, ids, materials
+  std::int64_t in = 3 + 3 + 3 + 1 + 3 + shading_->spare_planes();  // and what is read beside the planes: depth, ids, materials
   for (const std::string& role : roles_) in += is_made(reading_, role) ? 3 : std::int64_t(reading_.roles.at(role).channels.size());
   const std::int64_t out = shading_->planes(), samples = reading_.filtered ? Mixtures::most_surfaces : 1;
   const std::int64_t largest = std::max(in, out), row = window.width() * std::int64_t(sizeof(float)) * samples;
@@ -199,7 +202,7 @@ Bands Relight::bands(const Window& window) const {
 GBuffer Relight::read_band(const Window& band) {
   const Mixtures mixtures = find_mixtures(file_, reading_, band, roles_);
   mixed_pixels_.add(mixtures);
-  return read_gbuffer(file_, reading_, band, roles_, binding_->spare_planes(), mixtures);
+  return read_gbuffer(file_, reading_, band, roles_, shading_->spare_planes(), mixtures);
 }
 
 /// The input's own alpha where it has one that is a number, else the coverage.
@@ -219,7 +222,7 @@ glm::dvec3 Relight::mean_irradiance() {
   BandShading::Irradiance irradiance;
   const Window& whole = reading_.data_window;
   for (const Window& band : bands(whole).windows) {
-    GBuffer gbuffer = read_gbuffer(file_, reading_, band, roles_, binding_->spare_planes());
+    GBuffer gbuffer = read_gbuffer(file_, reading_, band, roles_, shading_->spare_planes());
     shading_->add_irradiance(gbuffer, irradiance, [&](std::int64_t) { progress("ambient", double(band.min_y - whole.min_y) / whole.height()); });
   }
   return irradiance.mean();
@@ -238,7 +241,7 @@ std::vector<std::pair<std::string, std::string>> Relight::metadata() const {
 void Relight::light_mesh() {
   shade_watch_.start();
   for (const Window& band : bands(mesh_->reading().data_window).windows) {
-    GBuffer samples = read_gbuffer(file_, mesh_->reading(), band, roles_, binding_->spare_planes());
+    GBuffer samples = read_gbuffer(file_, mesh_->reading(), band, roles_, shading_->spare_planes());
     Planes lit(std::size_t(samples.samples()), shading_->planes());
     lit.add(shading_->planes());
     shading_->shade(samples, lit, shade_watch_, [this](std::int64_t) { progress("shade", 0); });
@@ -256,7 +259,11 @@ void Relight::shade_band(BandInWork& band) {
   const double all = double(window_.pixels()) * shading_->rounds();
   double done = double(gbuffer.window.min_y - window_.min_y) * window_.width() * shading_->rounds();
   const auto shaded = [&](std::int64_t pixels) { progress("shade", std::min((done += double(pixels)) / all, 1.0)); };
-  mesh_ ? mesh_->interpolate(gbuffer, band.out) : shading_->shade(gbuffer, band.out, shade_watch_, shaded);
+  if (mesh_)
+    mesh_->interpolate(gbuffer, band.out);
+  else
+    shading_->shade(gbuffer, band.out, shade_watch_, shaded);
+  if (const int plane = shading_->error_plane(); plane >= 0 && !mesh_) environment_error_.add(gbuffer, band.out, plane);
   write_alpha(gbuffer, band.out);
   fold_surfaces(gbuffer, band.out);
   shade_watch_.lap("shade");
@@ -304,6 +311,7 @@ void Relight::shade_and_write() {
     note("warning: " + std::to_string(summary_.bad_pixels) + " pixels have a NaN or infinite position or normal: written as showing no surface");
   if (job_.error > 0) note(tree_sentence(job_.error, shading_->tree_statistics()));
   if (const std::string sentence = mixed_pixels_.sentence(summary_.surface_pixels); !sentence.empty()) note(sentence);
+  if (shading_->error_plane() >= 0 && !mesh_) note(environment_error_.sentence(job_.environments));
   progress("write", 1);
   output.commit();
   watch_.lap("write");

@@ -13,6 +13,7 @@
 #include "gbuffer/reading.h"
 #include "gbuffer/write_exr.h"
 #include "host/device.h"
+#include "host/environment_options.h"
 #include "host/interpolation.h"
 #include "host/materials.h"
 #include "host/rig.h"
@@ -24,6 +25,7 @@ struct RelightJob {
   std::vector<std::filesystem::path> rigs;
   RigOptions rig_options;
   ReadingOptions reading;                          ///< its `camera` is what --camera named
+  EnvironmentOptions environments;                 ///< --environment
   Material material;                               ///< --diffuse, --specular, --set
   std::optional<std::filesystem::path> materials;  ///< a material file
   bool diffuse_layer = false, specular_layer = false, ambient_layer = false, light_layers = false;
@@ -43,11 +45,12 @@ struct RelightSummary {
   std::string device, convention;
   Window window;
   std::int64_t surface_pixels = 0, bad_pixels = 0;
-  int lights = 0;
+  int lights = 0;      ///< of the rig, without ambient ones
+  int directions = 0;  ///< what the kernels met for them: as many for an environment as its texels, regions or samples
   int bands = 0;
   std::vector<std::string> programs;
   std::vector<std::pair<std::string, double>> seconds;  ///< stage -> wall clock, in order; from "read" to "write" they overlap
-  double pixel_lights_per_second = 0;                   ///< surface pixels times lights over the time of shading
+  double pixel_lights_per_second = 0;                   ///< surface pixels times directions over the time of shading
   std::vector<std::string> notes;                       ///< what was assumed, warnings
 };
 

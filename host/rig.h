@@ -2,19 +2,22 @@
 #pragma once
 
 #include <filesystem>
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "gbuffer/camera.h"
+#include "host/environment_mapping.h"
+#include "host/surrounding_lights.h"
 #include "kernels/lights/list.h"
 
 namespace relume {
 
 #define RELUME_LIGHT_TYPE(name, ...) name,
-/// The kernels' types, by their numbers (kernels/lights/list.h), and ambient, which needs no record.
-enum class LightType { RELUME_LIGHTS(RELUME_LIGHT_TYPE) ambient };
+/// The kernels' types, by their numbers (kernels/lights/list.h), then those from all around.
+enum class LightType { RELUME_LIGHTS(RELUME_LIGHT_TYPE) RELUME_SURROUNDING_LIGHTS(RELUME_LIGHT_TYPE) };
 #undef RELUME_LIGHT_TYPE
 enum class Falloff { inverse_square, windowed, linear, none };
 enum class Cone { gltf, smoothstep, linear };
@@ -25,8 +28,12 @@ struct Light {
   std::string group;
   glm::dvec3 position{0};          ///< world
   glm::dvec3 direction{0, 0, -1};  ///< the way the light travels, unit length
-  glm::dvec3 intensity{0};         ///< W/sr (point, spot), W/m^2 (directional), W/(m^2 sr) (ambient); `exposure` is already multiplied in
-  std::optional<double> fraction;  ///< ambient only: share of the frame's mean direct diffuse irradiance
+  glm::dvec3 intensity{
+      0};  ///< W/sr (point, spot), W/m^2 (directional), W/(m^2 sr) (ambient, environment: times the texels); `exposure` is already multiplied in
+  std::optional<double> fraction;               ///< ambient only: share of the frame's mean direct diffuse irradiance
+  std::filesystem::path texture;                ///< environment only, as the next two: the image
+  const EnvironmentMapping* mapping = nullptr;  ///< how the image is laid out
+  glm::dmat3 world_from_light{1.0};             ///< turns the mapping's axes into the world's
   Falloff falloff = Falloff::inverse_square;
   double range_begin = 0, range = 0;  ///< world units; range 0 = unbounded
   Cone cone = Cone::gltf;

@@ -90,6 +90,7 @@ void transform(Rig& rig, const Alignment& alignment) {
   for (Light& light : rig.lights) {
     light.position = scale * (alignment.axes * light.position);
     light.direction = alignment.axes * light.direction;
+    light.world_from_light = alignment.axes * light.world_from_light;
     light.range_begin *= scale;
     light.range *= scale;
     const bool thins_out = light.falloff == Falloff::inverse_square || light.falloff == Falloff::windowed;

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
 #include "host/json.h"
@@ -12,32 +14,24 @@ namespace relume {
 namespace {
 
 const std::vector<std::string_view> common_keys = {"type", "name", "group", "enabled", "exposure", "include", "exclude"};
-const std::vector<std::string_view> later_types = {"environment", "rect", "disk", "sphere"};
+const std::vector<std::string_view> later_types = {"rect", "disk", "sphere"};
 
 glm::dvec3 vector_of(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
 
-std::vector<std::string_view> known_types() {
-  std::vector<std::string_view> types = names_of(light_types());
-  types.push_back("ambient");  // no kernel of its own: it is the same from everywhere
-  return types;
-}
+std::vector<std::string_view> known_types() { return names_of(all_light_types()); }
 
 std::vector<std::string_view> keys_of(const std::string& type) {
   std::vector<std::string_view> keys = common_keys;
-  const std::vector<std::string_view> own =
-      type == "ambient" ? std::vector<std::string_view>{"intensity", "fraction"} : term_named(light_types(), type, "light type").parameters;
+  const std::vector<std::string_view> own = term_named(all_light_types(), type, "light type").parameters;
   keys.insert(keys.end(), own.begin(), own.end());
   return keys;
 }
 
-LightType type_of(const std::string& name) {
-  return name == "ambient" ? LightType::ambient : LightType(term_named(light_types(), name, "light type").number);
-}
+LightType type_of(const std::string& name) { return LightType(term_named(all_light_types(), name, "light type").number); }
 
 /// Whether the type has a key in its list; what has it, needs it.
 bool takes(const Light& light, std::string_view key) {
-  if (light.type == LightType::ambient) return false;
-  const std::vector<std::string_view>& keys = light_types()[std::size_t(light.type)].parameters;
+  const std::vector<std::string_view> keys = all_light_types()[std::size_t(light.type)].parameters;
   return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
@@ -63,6 +57,8 @@ void read_strength(const ObjectReader& reader, Light& light) {
   }
   reader.need("intensity");
   light.intensity = vector_of(*reader.numbers("intensity", 3, true)) * factor;
+  const bool negative = light.intensity.x < 0 || light.intensity.y < 0 || light.intensity.z < 0;
+  if (light.type == LightType::environment && negative) reader.fail("intensity", "must not be negative");
 }
 
 void read_falloff(const ObjectReader& reader, Light& light) {
@@ -110,8 +106,41 @@ void read_links(const ObjectReader& reader, Light& light) {
   if (!light.include.empty() && !light.exclude.empty()) reader.fail("exclude", "stands instead of \"include\" (give one of them)");
 }
 
+/// Whether the matrix takes unit vectors at right angles to such: a rotation, or one and a mirror. 1e-3 lets matrices through that were typed with
+/// three digits.
+bool is_rigid(const glm::dmat3& m) {
+  const glm::dmat3 product = glm::transpose(m) * m;
+  double error = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) error = std::max(error, std::abs(product[i][j] - (i == j)));
+  return error <= 1e-3;
+}
+
+/// How the image's axes lie in the world.
+void read_orientation(const ObjectReader& reader, Light& light) {
+  if (const auto rows = reader.numbers("world_from_light", 9)) {
+    if (reader.has("rotation")) reader.fail("rotation", "stands instead of \"world_from_light\" (give one of them)");
+    light.world_from_light = glm::transpose(glm::make_mat3(rows->data()));
+    if (!is_rigid(light.world_from_light))
+      reader.fail("world_from_light", "must be a rotation: unit vectors at right angles (9 numbers, row by row)");
+  }
+  if (const auto degrees = reader.number("rotation"))
+    light.world_from_light = glm::dmat3(glm::rotate(glm::dmat4(1.0), glm::radians(std::fmod(*degrees, 360.0)), light.mapping->up()));
+}
+
+void read_image(const ObjectReader& reader, const std::filesystem::path& folder, Light& light) {
+  reader.need("texture");
+  const std::string name = *reader.string("texture");
+  if (name.empty()) reader.fail("texture", "must name a file");
+  light.texture = folder / name;
+  std::vector<std::string_view> names;
+  for (const EnvironmentMapping& mapping : environment_mappings()) names.push_back(mapping.name);
+  light.mapping = &environment_mappings()[reader.choice("mapping", names).value_or(0)];
+  read_orientation(reader, light);
+}
+
 /// Empty where the light is switched off.
-std::optional<Light> read_light(const ObjectReader& reader, std::size_t index) {
+std::optional<Light> read_light(const ObjectReader& reader, const std::filesystem::path& folder, std::size_t index) {
   reader.need("type");
   const std::string type = *reader.string("type");
   const bool enabled = reader.boolean("enabled").value_or(true);
@@ -126,6 +155,7 @@ std::optional<Light> read_light(const ObjectReader& reader, std::size_t index) {
   light.name = reader.string("name").value_or(type + std::to_string(index));
   light.group = reader.string("group").value_or("");
   read_place(reader, light);
+  if (takes(light, "texture")) read_image(reader, folder, light);
   read_strength(reader, light);
   if (takes(light, "falloff")) read_falloff(reader, light);
   if (takes(light, "cone")) read_cone(reader, light);
@@ -135,14 +165,9 @@ std::optional<Light> read_light(const ObjectReader& reader, std::size_t index) {
   return enabled ? std::optional(light) : std::nullopt;
 }
 
-/// A rotation, or one and a mirror, and a place: 1e-3 lets matrices through that were typed with three digits.
+/// A rotation, or one and a mirror, and a place.
 void check_rigid(const ObjectReader& reader, const glm::dmat4& m) {
-  const glm::dmat3 rotation(m);
-  const glm::dmat3 product = glm::transpose(rotation) * rotation;
-  double error = 0;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) error = std::max(error, std::abs(product[i][j] - (i == j)));
-  if (!(error <= 1e-3)) reader.fail("world_from_camera", "must be a rigid motion: its first three columns unit vectors at right angles");
+  if (!is_rigid(glm::dmat3(m))) reader.fail("world_from_camera", "must be a rigid motion: its first three columns unit vectors at right angles");
   const glm::dvec4 last = glm::transpose(m)[3];
   if (last != glm::dvec4(0, 0, 0, 1)) reader.fail("world_from_camera", "its last row must be 0, 0, 0, 1 (16 numbers, row by row)");
 }
@@ -181,7 +206,7 @@ Rig read_json_rig(const Json& json, const std::string& file) {
   if (lights->type != Json::Type::array) top.fail("lights", "must be an array");
   for (std::size_t i = 0; i < lights->items.size(); ++i) {
     const ObjectReader reader(lights->items[i], file, "lights[" + std::to_string(i) + "]");
-    std::optional<Light> light = read_light(reader, i);
+    std::optional<Light> light = read_light(reader, std::filesystem::path(file).parent_path(), i);
     if (!light) continue;
     light->ids = ids;
     rig.lights.push_back(std::move(*light));

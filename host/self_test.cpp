@@ -10,8 +10,9 @@
 
 namespace relume {
 
-double self_test(Device& device, const Choice& choice) {
-  const Planes here = shade_test_band(device, choice, TestRange::whole), there = shade_test_band(*open_twin(), choice, TestRange::whole);
+namespace {
+
+double compared(const Device& device, const Planes& here, const Planes& there) {
   const double allowed = device.info().correctly_rounded ? 0 : self_test_tolerance;
   double largest = 0;
   for (int plane = 0; plane < test_planes; ++plane)
@@ -24,6 +25,17 @@ double self_test(Device& device, const Choice& choice) {
                                            " (--device twin needs no driver)");
     }
   return largest;
+}
+
+}  // namespace
+
+double self_test(Device& device, const Choice& choice) {
+  return compared(device, shade_test_band(device, choice, TestRange::whole), shade_test_band(*open_twin(), choice, TestRange::whole));
+}
+
+double self_test(Device& device, const Choice& choice, Entry environment) {
+  return compared(device, light_test_band(device, choice, environment, TestRange::whole),
+                  light_test_band(*open_twin(), choice, environment, TestRange::whole));
 }
 
 }  // namespace relume

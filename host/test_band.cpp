@@ -2,6 +2,7 @@
 #include "host/test_band.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -10,6 +11,7 @@
 
 #include "host/ambient_nodes.h"
 #include "host/merl_numbers.h"
+#include "host/device_environment.h"
 #include "kernels/cycles_tables.h"
 
 namespace relume {
@@ -18,7 +20,7 @@ namespace {
 /// Planes: position 0-2, normal 3-5, program 6, one more for each parameter's component.
 struct TestBand {
   int pixels;
-  Planes planes{std::size_t(pixels), 7 + 3 * FIELD_COUNT};
+  Planes planes{std::size_t(pixels), 9 + 3 * FIELD_COUNT};
   Frame frame{};
   std::vector<LightRecord> lights{};
   std::vector<float> tables{};
@@ -126,6 +128,25 @@ void make_tables(TestBand& band) {
   band.tables.insert(band.tables.end(), measured.begin(), measured.end());
 }
 
+/// A bright texel among dim ones, and the frame turned out of every axis.
+void make_environment(TestBand& band) {
+  constexpr int width = 12, height = 6, samples = 16;
+  std::vector<std::array<float, 3>> radiance;
+  for (int i = 0; i < width * height; ++i) radiance.push_back({0.1f * float(i % 5), 0.2f, i == 17 ? 300.0f : 0.05f * float(i % 11)});
+  const DeviceEnvironment environment{environment_of(width, height, radiance, environment_mappings().back(), "self-test"),
+                                      glm::dmat3(0.36, 0.48, -0.8, -0.8, 0.6, 0, 0.48, 0.64, 0.6)};
+  band.frame.environment = place_sampled(environment, samples, band.tables);
+  // Any numbers do for what is looked up.
+  band.frame.environment.levels = 2;
+  band.frame.environment.level = place_image(environment.map, band.tables);
+  place_image(environment.map, band.tables);
+  band.frame.environment.harmonics = int(band.tables.size());
+  for (int k = 0; k < 27; ++k) band.tables.push_back(1 - 0.09f * float(k));
+  band.frame.environment.scramble = band.planes.add(2);
+  for (int plane = 0; plane < 2; ++plane)
+    for (int i = 0; i < band.pixels; ++i) band.planes.plane(band.frame.environment.scramble + plane)[i] = scrambled(i, 0, 0, unsigned(plane));
+}
+
 TestBand make_band(TestRange range, int pixels) {
   TestBand band{pixels};
   std::mt19937 random(20241122);
@@ -165,6 +186,19 @@ Planes shade_test_band(Device& device, const Choice& choice, TestRange range, in
   band.frame.out_stride = int(out.stride());
   const auto bound = device.bind({&band.planes, band.lights, {}, band.tables, &out});
   bound->shade(choice, band.frame, {});
+  bound->finish();
+  return out;
+}
+
+Planes light_test_band(Device& device, const Choice& choice, Entry environment, TestRange range, int pixels) {
+  TestBand band = make_band(range, pixels);
+  Planes out(std::size_t(pixels), test_planes);
+  out.add(test_planes);
+  band.frame.out_stride = int(out.stride());
+  band.frame.error = band.frame.ambient_out;
+  make_environment(band);
+  const auto bound = device.bind({&band.planes, band.lights, {}, band.tables, &out});
+  bound->add_environment(environment, choice, band.frame, {});
   bound->finish();
   return out;
 }

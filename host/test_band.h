@@ -16,6 +16,9 @@ constexpr int test_planes = 12;  ///< total, diffuse, specular, ambient: three e
 /// The band shaded with the lobes of `choice`: hostile pixels among ordinary ones (NaN, zero normals, a light at the surface).
 Planes shade_test_band(Device& device, const Choice& choice, TestRange range, int pixels = test_pixels);
 
+/// The same band under a small environment alone; the last three planes have what samples say of their error.
+Planes light_test_band(Device& device, const Choice& choice, Entry environment, TestRange range, int pixels = test_pixels);
+
 /// The difference of two results relative to the larger; to 1e-3, a thousandth of a common pixel of the band, where both are smaller.
 /// Infinite where one is NaN.
 double test_difference(float a, float b);

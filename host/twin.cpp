@@ -62,23 +62,30 @@ class TwinBand : public Band {
   TwinBand(const Compilation& compilation, const BandData& data) : compilation_(compilation), data_(data) {}
 
   void shade(const Choice& choice, const Frame& frame, const Progress& progress) override {
-    // About 0.1 s of work between two looks at the interrupt flag; blocks of 1024 pixels share the cores.
-    const std::int64_t lights = lights_met(frame, data_.lists), unit = Planes::granule;
-    const std::int64_t slice = std::max<std::int64_t>(1, 20'000'000 / lights / unit) * unit;
+    run_slices(Entry::shade, choice, frame, lights_met(frame, data_.lists), progress);
+  }
+
+  void run(Entry entry, const Choice& choice, const Frame& frame) override { run_range(entry, choice, frame, 0, frame.pixels); }
+
+  void add_environment(Entry entry, const Choice& choice, const Frame& frame, const Progress& progress) override {
+    run_slices(entry, choice, frame, environment_work, progress);
+  }
+
+  void finish() override {}
+
+ private:
+  /// About 0.1 s of work between two looks at the interrupt flag; blocks of 1024 pixels share the cores. `work`: what a pixel costs, in lights.
+  void run_slices(Entry entry, const Choice& choice, const Frame& frame, std::int64_t work, const Progress& progress) {
+    const std::int64_t unit = Planes::granule, slice = std::max<std::int64_t>(1, 20'000'000 / work / unit) * unit;
     for (std::int64_t first = 0; first < frame.pixels; first += slice) {
       const std::int64_t last = std::min<std::int64_t>(first + slice, frame.pixels);
       tbb::parallel_for(tbb::blocked_range<std::int64_t>(first / unit, (last + unit - 1) / unit), [&](const auto& range) {
-        run_range(Entry::shade, choice, frame, int(range.begin() * unit), int(std::min<std::int64_t>(range.end() * unit, last)));
+        run_range(entry, choice, frame, int(range.begin() * unit), int(std::min<std::int64_t>(range.end() * unit, last)));
       });
       if (progress) progress(last - first);
     }
   }
 
-  void run(Entry entry, const Choice& choice, const Frame& frame) override { run_range(entry, choice, frame, 0, frame.pixels); }
-
-  void finish() override {}
-
- private:
   void run_range(Entry entry, const Choice& choice, const Frame& frame, int first, int last) {
     compilation_.run[std::size_t(entry)](choice, data_.planes->data(), frame, data_.lights.data(), data_.lists.data(), data_.tables.data(),
                                          data_.out->data(), first, last);

@@ -14,6 +14,8 @@ namespace RELUME_TWIN_JOIN(lanes, RELUME_LANES) {
   namespace {
 #include "kernels/bounds.h"
 #include "kernels/directions.h"
+#include "kernels/environment_prefiltered.h"
+#include "kernels/environment_sampled.h"
 #include "kernels/evaluate.h"
 #include "kernels/shade.h"
 #include "kernels/terms.h"

@@ -73,6 +73,14 @@ RELUME_FN StretchedView stretched_view(real width, real n_v, real sine_v) {
   return view;
 }
 
+/// A facet's normal among those that the viewer sees and that reflect above the horizon, in the basis, not yet of unit length: u and phi pick a
+/// direction of the stretched cap, evenly.
+RELUME_FN real3 visible_facet(StretchedView view, real u, real cos_phi, real sin_phi) {
+  const real down = u * view.span;                      // 1 - z on the cap
+  const real sine = square_root(down * (2.0f - down));  // sqrt(1 - z^2) without its cancellation
+  return real3_of(view.width * (sine * cos_phi + view.x), view.width * (sine * sin_phi), 1.0f - down + view.z);
+}
+
 RELUME_FN real3 specular_albedo(Choice choice, RELUME_GLOBAL const Frame* frame, Surface s, Basis basis) {
   real3 sum = grey(all_lanes(0.0f));
   if (choice.specular == SPECULAR_none) return sum;
@@ -80,15 +88,13 @@ RELUME_FN real3 specular_albedo(Choice choice, RELUME_GLOBAL const Frame* frame,
   const real a2 = squared(view.width);
   for (int k = 0; k < frame->node_count; ++k) {
     RELUME_GLOBAL const float* node = s.tables + frame->nodes + 4 * k;
-    const real down = node[0] * view.span;                // 1 - z on the cap
-    const real sine = square_root(down * (2.0f - down));  // sqrt(1 - z^2) without its cancellation
-    const real x = view.width * (sine * node[1] + view.x), y = view.width * (sine * node[2]), z = 1.0f - down + view.z;
-    const real across2 = squared(x) + squared(y), length2 = across2 + squared(z);
-    const real3 h = scale3(out_of(basis, x, y, z), 1.0f / square_root(length2));
+    const real3 m = visible_facet(view, all_lanes(node[0]), all_lanes(node[1]), all_lanes(node[2]));
+    const real across2 = squared(m.x) + squared(m.y), length2 = across2 + squared(m.z);
+    const real3 h = scale3(out_of(basis, m.x, m.y, m.z), 1.0f / square_root(length2));
     const real v_dot_h = dot3(s.v, h);
     const Cosines c = cosines_of(s.n, subtract3(scale3(h, 2.0f * v_dot_h), s.v), s.v);
     // 1/D = pi (across2 + a^2 z^2)^2/(a^2 length^4)
-    const real per_pdf = view.normaliser * RELUME_PI * squared((across2 + a2 * squared(z)) / length2) / a2;
+    const real per_pdf = view.normaliser * RELUME_PI * squared((across2 + a2 * squared(m.z)) / length2) / a2;
     const mask above = (c.n_l > 0.0f) & (v_dot_h > 0.0f);
     const real3 value = scale3(reflect_specular(choice.specular, c, s), node[3] * per_pdf);
     sum = add3(sum, choose3(above, value, grey(all_lanes(0.0f))));

@@ -2,6 +2,6 @@
 #ifndef RELUME_ENTRIES_H
 #define RELUME_ENTRIES_H
 
-#define RELUME_ENTRIES(ENTRY) ENTRY(shade) ENTRY(evaluate) ENTRY(terms) ENTRY(directions)
+#define RELUME_ENTRIES(ENTRY) ENTRY(shade) ENTRY(evaluate) ENTRY(terms) ENTRY(directions) ENTRY(environment_sampled) ENTRY(environment_prefiltered)
 
 #endif

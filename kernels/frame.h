@@ -44,6 +44,30 @@ typedef struct {
   float deepest;                        // least n.(p - q)
 } PixelBounds;
 
+/// A latitude-longitude image in the tables; its frame has the pole at z and the left edge at x.
+typedef struct {
+  int width, height;              // texels
+  float column_shift, row_shift;  // from the left edge, from the pole to the first texel's centre, texels
+  float row_steps;                // texel heights from pole to pole
+  int texels;                     // where in the tables they begin: W/(m^2 sr) r, g, b, row by row
+} EnvironmentImage;
+
+/// An environment for a kernel that samples it, or looks it up prefiltered. Places in the tables are their first entry's.
+typedef struct {
+  EnvironmentImage image;
+  float world_from_map[9];  // row by row
+  // Sampled (kernels/environment/draw.h):
+  int row_density;                // of each row: what a texel's luminance is multiplied by, to give its share of the density of samples
+  int row_shares, column_shares;  // of the texels' light, up to and with each row, and each texel of a row: cumulative, the last is 1
+  int points;                     // v of each sample
+  int samples;                    // a multiple of 16
+  int scramble;                   // plane index, 2 planes: what is added to the points of each pixel, 0..1
+  // Prefiltered (kernels/environment_prefiltered.h):
+  int harmonics;           // 9 times r, g, b of the irradiance's polynomial
+  EnvironmentImage level;  // the first of the levels, which follow each other
+  int levels;              // for lobes of the widths (1/levels)^2, (2/levels)^2, ... 1
+} EnvironmentRecord;
+
 typedef struct {
   int pixels;         // in this band, without padding
   int plane_stride;   // floats from one plane to the next
@@ -61,6 +85,8 @@ typedef struct {
   int light_begin[LIGHT_COUNT + 1];           // lights are sorted by type: [begin[t], begin[t + 1])
   int lists;                                  // where in the lists the blocks' own lights are told (host/light_lists.h); 0: every light is met
   int total, diffuse, specular, ambient_out;  // plane indices in the output, 3 planes each; -1: not wanted
+  int error;                                  // plane index in the output of the squared error that is estimated; -1: not wanted
+  EnvironmentRecord environment;              // for the programs of kernels/environment
   int out_stride;                             // floats from one output plane to the next
   int sums;  // plane index in the output, 6 planes: diffuse and specular sums as they are before coverage; 0: not wanted
   int base;  // the same, of other lights: what is added to. Blocks whose list begins below 0 are left as they are. 0: none

@@ -61,4 +61,27 @@ RELUME_FN real arc_cosine(real x) {
   return choose(x < 0.0f, RELUME_PI - y, y);
 }
 
+/// sin(2 pi t) for t in -1..2, within 2 ulp but near its zeros, where it is within 2e-7.
+RELUME_FN real sine_of_turn(real t) {
+  const real a = t - whole_below(t + 0.5f);
+  const real folded = choose(a > 0.25f, 0.5f - a, choose(a < -0.25f, -0.5f - a, a)), z = folded * folded;
+  real p = all_lanes(40.0624657f);
+  p = p * z - 76.6253281f;
+  p = p * z + 81.6046448f;
+  p = p * z - 41.3417206f;
+  p = p * z + 6.28318548f;
+  return folded * p;
+}
+RELUME_FN real cosine_of_turn(real t) { return sine_of_turn(t + 0.25f); }
+
+/// The angle of (x, y) in 0..2 pi, counted from x towards y.
+RELUME_FN real angle_of(real x, real y) {
+  const real across = absolute(x), up = absolute(y);
+  const real inverse = 1.0f / larger(square_root(across * across + up * up), all_lanes(1e-30f));
+  // By the shorter side, where the arc cosine does not magnify rounding.
+  const real first = choose(up > across, arc_cosine(across * inverse), 0.5f * RELUME_PI - arc_cosine(up * inverse));
+  const real above = choose(x < 0.0f, RELUME_PI - first, first);
+  return choose(y < 0.0f, 2.0f * RELUME_PI - above, above);
+}
+
 #endif

@@ -8,6 +8,7 @@
 #include "kernels/lights.h"  // made by the build from the list: includes every light
 #include "kernels/load_surface.h"
 #include "kernels/lookups.h"
+#include "kernels/store.h"
 
 typedef struct {
   real3 diffuse, specular;
@@ -94,17 +95,6 @@ RELUME_FN Radiance direct_light(Choice choice, RELUME_GLOBAL const Frame* frame,
     }
   }
   return sum;
-}
-
-/// What is written is finite: NaN (a parameter was NaN) becomes 0, what overflows becomes the largest float.
-RELUME_FN real finite(real x) { return choose(x == x, clamped(x, -3.4e38f, 3.4e38f), all_lanes(0.0f)); }
-
-RELUME_FN void store_where(mask m, real3 value, RELUME_GLOBAL float* out, int stride, int plane, int i) {
-  if (plane < 0) return;
-  RELUME_GLOBAL float* p = out + (size_t)stride * plane + i;
-  store(choose(m, finite(value.x), load(p)), p);
-  store(choose(m, finite(value.y), load(p + stride)), p + stride);
-  store(choose(m, finite(value.z), load(p + 2 * (size_t)stride)), p + 2 * (size_t)stride);
 }
 
 /// What other lights gave to the sums, where a base is kept of them (host/live_frame.h), else nothing.

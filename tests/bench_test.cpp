@@ -74,6 +74,9 @@ class WrongDevice : public Device {
     WrongBand(std::unique_ptr<Band> band, Planes* out) : band_(std::move(band)), out_(out) {}
     void shade(const Choice& choice, const Frame& frame, const Progress& progress) override { band_->shade(choice, frame, progress); }
     void run(Entry entry, const Choice& choice, const Frame& frame) override { band_->run(entry, choice, frame); }
+    void add_environment(Entry entry, const Choice& choice, const Frame& frame, const Progress& progress) override {
+      band_->add_environment(entry, choice, frame, progress);
+    }
     void finish() override { out_->plane(1)[0] *= 1.0001f; }
 
    private:

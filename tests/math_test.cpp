@@ -87,6 +87,24 @@ TEST(Math, ArcCosineTakesTheNearerEnd) {
   EXPECT_FLOAT_EQ(kernel::arc_cosine(-kInfinity), 3.14159265f);
 }
 
+TEST(Math, SineOfATurnHoldsItsBound) {
+  for (int k = -10000; k <= 20000; ++k) {
+    const float t = float(k) * 1e-4f;
+    ASSERT_NEAR(kernel::sine_of_turn(t), std::sin(2 * M_PI * double(t)), 2e-7) << t;
+    if (t < 0 || t > 1) continue;
+    ASSERT_NEAR(kernel::cosine_of_turn(t), std::cos(2 * M_PI * double(t)), 6e-7) << t;  // t + 1/4 is rounded
+  }
+}
+
+TEST(Math, AngleOfAPoint) {
+  for (const double radius : {1e-3, 1.0, 1e3})
+    for (int k = 0; k < 10000; ++k) {
+      const double angle = 2 * M_PI * (k + 0.5) / 10000;
+      ASSERT_NEAR(kernel::angle_of(float(radius * std::cos(angle)), float(radius * std::sin(angle))), angle, 1.5e-6) << angle;
+    }
+  EXPECT_TRUE(std::isfinite(kernel::angle_of(0.0f, 0.0f)));
+}
+
 TEST(Finite, NothingButTheLargestNumbersIsChanged) {
   constexpr float large = 0.999f * std::numeric_limits<float>::max();
   for (const float x : {0.0f, 1e-38f, -5.0f, large, -large}) EXPECT_EQ(kernel::finite(x), x);

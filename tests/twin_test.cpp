@@ -70,5 +70,24 @@ TEST(Twin, DeviceAgrees) {
   std::printf("%d programs of %d values, 0 ulp from the twin\n", compared, test_planes * test_pixels);
 }
 
+/// Programs that add an environment's light, for some of the lobes: what they do beside the lobes is the same for all.
+TEST(Twin, EnvironmentsAgree) {
+  const std::vector<NamedChoice> programs = programs_of_all_lobes(false);
+  int compared = 0;
+  for (const Entry environment : {Entry::environment_sampled, Entry::environment_prefiltered})
+    for (std::size_t k = 0; k < programs.size(); ++k) {
+      const Planes expected = light_test_band(*open_twin(1), programs[k].choice, environment, TestRange::whole);
+      const auto expect_alike = [&](Device& device) {
+        EXPECT_EQ(difference(light_test_band(device, programs[k].choice, environment, TestRange::whole), expected), "")
+            << device.info().name << ": " << programs[k].diffuse << " + " << programs[k].specular;
+        ++compared;
+      };
+      for (const int lanes : twin_lanes()) expect_alike(*open_twin(lanes));
+      for (const DeviceInfo& info : list_devices())
+        if (info.correctly_rounded && k % 6 == 0) expect_alike(*open_device(std::to_string(info.index), k % 12 ? 1 : 0));
+    }
+  std::printf("%d programs of environments, 0 ulp from the twin of one lane\n", compared);
+}
+
 }  // namespace
 }  // namespace relume

@@ -79,6 +79,7 @@ class InexactBand : public Band {
     for (int i = 0; i < frame.pixels; ++i)
       shade_pixels(choice, data_.planes->data(), &frame, data_.lights.data(), data_.lists.data(), data_.tables.data(), data_.out->data(), i);
   }
+  void add_environment(Entry, const Choice&, const Frame&, const Progress&) override {}
   void run(Entry, const Choice&, const Frame&) override {}
   void finish() override {}
 
