@@ -101,16 +101,17 @@ RELUME_FN int any_of(mask m) {
   return (two.x | two.y) != 0;
 #endif
 }
-/// table[index], lane by lane.
+/// table[index], lane by lane; from a list of loads, as an array in between would cost a detour through memory.
 RELUME_FN real gather(RELUME_GLOBAL const float* table, integer index) {
+#define RELUME_FOUR_OF(a, b, c, d) table[index.s##a], table[index.s##b], table[index.s##c], table[index.s##d]
 #if RELUME_LANES == 1
   return table[index];
+#elif RELUME_LANES == 4
+  return (real)(RELUME_FOUR_OF(0, 1, 2, 3));
+#elif RELUME_LANES == 8
+  return (real)(RELUME_FOUR_OF(0, 1, 2, 3), RELUME_FOUR_OF(4, 5, 6, 7));
 #else
-  int from[RELUME_LANES];
-  float to[RELUME_LANES];
-  RELUME_JOIN(vstore, RELUME_LANES)(index, 0, from);
-  for (int lane = 0; lane < RELUME_LANES; ++lane) to[lane] = table[from[lane]];
-  return RELUME_JOIN(vload, RELUME_LANES)(0, to);
+  return (real)(RELUME_FOUR_OF(0, 1, 2, 3), RELUME_FOUR_OF(4, 5, 6, 7), RELUME_FOUR_OF(8, 9, a, b), RELUME_FOUR_OF(c, d, e, f));
 #endif
 }
 
