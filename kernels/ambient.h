@@ -32,6 +32,7 @@ RELUME_FN real3 out_of(Basis basis, real x, real y, real z) { return add3(scale3
 
 /// The width of the half vectors' distribution that suits the lobe.
 RELUME_FN real lobe_width(int rule, int specular, Surface s) {
+  if (specular == SPECULAR_merl) return all_lanes(0.25f);  // a table states no width: one at which matt and glossy ones are told well (docs/lab.md)
   if (rule == WIDTH_exponent) return square_root(2.0f / (s.exponent + 2.0f));
   if (rule == WIDTH_chord_exponent) return square_root(2.0f / (4.0f * s.exponent + 2.0f));  // R_v turns twice as fast as h
   const float least = specular == SPECULAR_principled ? 1e-3f : 1e-5f;                      // Mitsuba's and Cycles'
