@@ -61,7 +61,7 @@ std::vector<const Parameter*> parameters_of(const Lobe& lobe, const Setting& ter
   for (const std::string_view name : names) {
     if (name == "roughness" && contains(names, "alpha")) continue;
     if (name == "specular_level" && lobe.name == "principled") continue;
-    if (!parameter_named(name).from_host) all.push_back(&parameter_named(name));
+    if (const Parameter& p = parameter_named(name); !p.from_host && !p.is_file) all.push_back(&p);
   }
   return all;
 }
