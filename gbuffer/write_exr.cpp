@@ -15,6 +15,7 @@
 #include <mutex>
 #include <thread>
 
+#include "gbuffer/encoding.h"
 #include "gbuffer/error.h"
 #include "gbuffer/half_floats.h"
 #include "gbuffer/output_stream.h"
@@ -97,20 +98,6 @@ struct ExrWriter::State {
   State(const std::filesystem::path& path, const OutputFormat& format)
       : name(printable(path.native())), type(format.type), file(path, format.overwrite) {}
 
-  /// What the library throws becomes Error{output}.
-  template <class Work>
-  void in_library(const Work& work) const {
-    try {
-      work();
-    } catch (const Error&) {
-      throw;
-    } catch (const std::bad_alloc&) {
-      throw Error(ErrorKind::memory, name + ": not enough memory to encode it");
-    } catch (const std::exception& fault) {
-      throw Error(ErrorKind::output, name + ": " + printable(fault.what()));
-    }
-  }
-
   void verify(const std::filesystem::path& written) const;
   void encode(int rows, std::span<const Source> sources);
   Imf::Slice half_slice(const Source& source, int rows, std::vector<half>& samples) const;
@@ -139,7 +126,7 @@ ExrWriter::ExrWriter(const std::filesystem::path& file, const OutputFormat& form
   state.window = data_window;
   state.channels = channels;
   state.next_row = data_window.min_y;
-  state.in_library([&] {
+  while_encoding(state.name, [&] {
     Imf::Header header = kept_attributes(like, metadata);
     header.dataWindow() = box_of(data_window);
     header.displayWindow() = box_of(display_window);
@@ -184,7 +171,7 @@ void ExrWriter::write_rows(int rows, std::span<const Source> sources) {
   for (const std::string& channel : state.channels)
     if (std::none_of(sources.begin(), sources.end(), [&](const Source& source) { return source.channel == channel; }))
       throw Error(ErrorKind::internal, state.name + ": no rows given for channel \"" + printable(channel) + '"');
-  state.in_library([&] { state.zip ? state.zip->write_rows(rows, sources) : state.encode(rows, sources); });
+  while_encoding(state.name, [&] { state.zip ? state.zip->write_rows(rows, sources) : state.encode(rows, sources); });
   state.next_row += rows;
 }
 
@@ -209,7 +196,7 @@ void ExrWriter::commit() {
   State& state = *state_;
   if (state.next_row != state.window.max_y)
     throw Error(ErrorKind::internal, state.name + ": " + std::to_string(state.window.max_y - state.next_row) + " rows were not written");
-  state.in_library([&] {
+  while_encoding(state.name, [&] {
     state.output.reset();  // writes the chunk table
     if (state.zip) state.zip->finish();
     state.stream.rethrow();

@@ -12,6 +12,7 @@
 #include <new>
 #include <thread>
 
+#include "gbuffer/encoding.h"
 #include "gbuffer/error.h"
 #include "gbuffer/half_floats.h"
 #include "gbuffer/output_stream.h"
@@ -46,20 +47,6 @@ struct PartsWriter::State {
     for (const OutputPart& part : all) next_rows.push_back(part.window.min_y);
   }
 
-  /// What the library throws becomes Error{output}.
-  template <class Work>
-  void in_library(const Work& work) const {
-    try {
-      work();
-    } catch (const Error&) {
-      throw;
-    } catch (const std::bad_alloc&) {
-      throw Error(ErrorKind::memory, name + ": not enough memory to encode it");
-    } catch (const std::exception& fault) {
-      throw Error(ErrorKind::output, name + ": " + printable(fault.what()));
-    }
-  }
-
   /// The last row of each part decodes.
   void verify(const std::filesystem::path& written) const {
     try {
@@ -90,7 +77,8 @@ PartsWriter::PartsWriter(const std::filesystem::path& file, const std::string& c
   Imf::setGlobalThreadCount(int(std::thread::hardware_concurrency()));  // OpenEXR's own default is none
   std::vector<Imf::Header> headers;
   for (const OutputPart& part : parts) headers.push_back(header_of(part, display, codec));
-  state_->in_library([&] { state_->output = std::make_unique<Imf::MultiPartOutputFile>(state_->stream, headers.data(), int(headers.size())); });
+  while_encoding(state_->name,
+                 [&] { state_->output = std::make_unique<Imf::MultiPartOutputFile>(state_->stream, headers.data(), int(headers.size())); });
 }
 
 PartsWriter::~PartsWriter() = default;
@@ -112,7 +100,7 @@ void PartsWriter::write_rows(std::size_t index, int rows, std::span<const void* 
     frame.insert(channel.name,
                  Imf::Slice::Make(stored(channel.type), from, Imath::V2i(part.window.min_x, s.next_rows[index]), part.window.width(), rows));
   }
-  s.in_library([&] {
+  while_encoding(s.name, [&] {
     Imf::OutputPart out(*s.output, int(index));
     out.setFrameBuffer(frame);
     out.writePixels(rows);
@@ -126,7 +114,7 @@ void PartsWriter::commit() {
   for (std::size_t p = 0; p < s.parts.size(); ++p)
     if (s.next_rows[p] != s.parts[p].window.max_y)
       throw Error(ErrorKind::internal, s.name + ": rows of part " + s.parts[p].name + " were not written");
-  s.in_library([&] {
+  while_encoding(s.name, [&] {
     s.output.reset();  // writes the chunk tables
     s.stream.rethrow();
     s.file.commit([&](const std::filesystem::path& written) { s.verify(written); });

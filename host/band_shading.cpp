@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <sstream>
 #include <utility>
 
 #include "host/band_frame.h"
@@ -179,6 +180,20 @@ void BandShading::add_linked(const GBuffer& gbuffer, Planes& out, const Frame& b
       for (std::size_t k = 0; k < lights_.lights().size(); ++k)
         if (lights_.lights()[k].group == int(g)) weigh(out, layout_.lights + 3 * int(k), weights);
   }
+}
+
+std::string BandShading::tree_sentence() const {
+  std::ostringstream text;
+  if (statistics_.lights == 0) {
+    text << "error " << error_ << ": exact all the same: a light tree needs 64 unranged point lights at least, none of negative intensity, and no "
+         << "bump shadowing or measured BRDF";
+    return text.str();
+  }
+  text << "error " << error_ << ": each channel of each pixel is within " << 100 * error_ << "% of brute force; of " << statistics_.lights
+       << " unranged lights a pixel meets " << (statistics_.pixels > 0 ? statistics_.met / statistics_.pixels : 0)
+       << " lights and stand-ins in the mean";
+  if (statistics_.exact > 0) text << "; " << statistics_.exact << " pixels, whose lists did not fit into --memory, are exact";
+  return text.str();
 }
 
 }  // namespace relume

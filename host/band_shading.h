@@ -41,16 +41,17 @@ class BandShading {
 
   /// Shades a band into planes() planes of `out`; laps "bind", "shade" and "link". `progress` counts pixels times rounds().
   void shade(GBuffer& gbuffer, Planes& out, Stopwatch& watch, const Progress& progress) const;
-  /// What light trees made of the bands so far.
-  struct TreeStatistics {
-    int lights = 0;                               ///< that trees take care of
-    std::int64_t pixels = 0, met = 0, exact = 0;  ///< shaded; lights and stand-ins that they met; pixels whose cuts did not fit
-  };
-  const TreeStatistics& tree_statistics() const { return statistics_; }
+  /// What light trees made of the bands so far: the bound, and how many lights are met.
+  std::string tree_sentence() const;
   /// How often each pixel is shaded for the total.
   double rounds() const { return double(binding_.programs().size() * (lights_.groups().size() + lights_.environments().size())); }
 
  private:
+  struct TreeStatistics {
+    int lights = 0;                               ///< that trees take care of
+    std::int64_t pixels = 0, met = 0, exact = 0;  ///< shaded; lights and stand-ins that they met; pixels whose cuts did not fit
+  };
+
   int linked_planes() const { return int(lights_.groups().size() - 1) * layout_.colours() * 3; }
   Frame frame_of(const GBuffer& gbuffer, const Planes& out) const;
   std::vector<int> list_lights(const GBuffer& gbuffer, const Frame& frame, std::span<const Choice> programs, LightLists& lists) const;

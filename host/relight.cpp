@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <sstream>
 
 #include "gbuffer/convention.h"
 #include "gbuffer/error.h"
@@ -48,20 +47,6 @@ struct BandInWork {
   GBuffer gbuffer;
   Planes out;
 };
-
-/// What --error came to.
-std::string tree_sentence(double error, const BandShading::TreeStatistics& tree) {
-  std::ostringstream text;
-  if (tree.lights == 0) {
-    text << "error " << error << ": exact all the same: a light tree needs 64 unranged point lights at least, none of negative intensity, and no "
-         << "bump shadowing or measured BRDF";
-    return text.str();
-  }
-  text << "error " << error << ": each channel of each pixel is within " << 100 * error << "% of brute force; of " << tree.lights
-       << " unranged lights a pixel meets " << (tree.pixels > 0 ? tree.met / tree.pixels : 0) << " lights and stand-ins in the mean";
-  if (tree.exact > 0) text << "; " << tree.exact << " pixels, whose lists did not fit into --memory, are exact";
-  return text.str();
-}
 
 /// One relight in progress: what the stages share.
 class Relight {
@@ -309,7 +294,7 @@ void Relight::shade_and_write() {
   run_bands(output);
   if (summary_.bad_pixels)
     note("warning: " + std::to_string(summary_.bad_pixels) + " pixels have a NaN or infinite position or normal: written as showing no surface");
-  if (job_.error > 0) note(tree_sentence(job_.error, shading_->tree_statistics()));
+  if (job_.error > 0) note(shading_->tree_sentence());
   if (const std::string sentence = mixed_pixels_.sentence(summary_.surface_pixels); !sentence.empty()) note(sentence);
   if (shading_->error_plane() >= 0 && !mesh_) note(environment_error_.sentence(job_.environments));
   progress("write", 1);

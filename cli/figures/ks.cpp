@@ -16,6 +16,7 @@ void figure_ks(CLI::App& command, Action& action) {
   command.add_option("--csv", a->csv, "its numbers");
   command.add_flag("--overwrite", a->overwrite, "allow existing files to be replaced");
   command.add_option("--device", a->device, "as for shade; default: twin");
+  command.footer("Example: relume figure ks -o ks.svg --csv ks.csv");
   command.callback([a, &action] {
     action = [a] {
       terminal_for(a->output, {});  // the ending, before the work
