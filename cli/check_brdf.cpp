@@ -23,6 +23,9 @@ struct CheckArguments {
   bool all = false, json = false, overwrite = false;
 };
 
+/// FILE.binary, as wherever a BRDF is named (host/brdf_name.h).
+bool is_table(const std::string& name) { return name.ends_with(".binary"); }
+
 /// Both halves where both have a lobe of the name.
 std::vector<Lobe> lobes_named(const std::vector<std::string>& names) {
   std::vector<Lobe> lobes;
@@ -33,7 +36,7 @@ std::vector<Lobe> lobes_named(const std::vector<std::string>& names) {
       if (names.empty() || std::find(names.begin(), names.end(), lobe.name) != names.end()) lobes.push_back(lobe);
     }
   for (const std::string& name : names)
-    if (!find_lobe(true, name) && !find_lobe(false, name))
+    if (!is_table(name) && !find_lobe(true, name) && !find_lobe(false, name))
       throw Error(ErrorKind::input, "no BRDF \"" + printable(name) + "\" (has: " + has + "; the halves of a pair are examined apart)");
   return lobes;
 }
@@ -49,6 +52,13 @@ std::vector<Examination> to_examine(const CheckArguments& a, const std::shared_p
     } catch (const Error&) {
       refusal = std::current_exception();
     }
+  for (const std::string& name : a.names) {
+    if (!is_table(name)) continue;
+    std::vector<std::string> set = a.set;
+    set.push_back("table=" + name);
+    all.push_back({examined(lobe_named(false, "merl"), set, device), {}});
+    all.back().lobe.name = printable(name);
+  }
   if (all.empty()) std::rethrow_exception(refusal);
   return all;
 }
@@ -127,7 +137,7 @@ int check_brdf(const CheckArguments& a) {
 
 void add_check_brdf(CLI::App& command, Action& action) {
   const auto a = std::make_shared<CheckArguments>();
-  command.add_option("names", a->names, "lobes (relume list brdfs); default: all");
+  command.add_option("names", a->names, "lobes (relume list brdfs) or measured tables, FILE.binary; default: all lobes");
   command.add_flag("--all", a->all, "every lobe and every term, as without names");
   command.add_option("--set", a->set, "PARAM=VALUE or TERM=NAME for all that take it, in place of its range");
   command.add_flag("--json", a->json, "for programs");

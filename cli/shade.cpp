@@ -175,6 +175,24 @@ void add_output_options(CLI::App& command, ShadeArguments& a) {
   command.add_flag("--json", a.json, "a summary for programs on stdout")->group(out);
 }
 
+void add_device_options(CLI::App& command, ShadeArguments& a) {
+  command.add_option("--device", a.device,
+                     "cpu, gpu, twin (C++, no OpenCL), an index, or part of a platform's or device's name; default: the best there is");
+  command
+      .add_option(
+          "--precision", a.precision,
+          "exact: every device rounds alike; relaxed: what the driver's compiler makes faster, with an error of some 1e-5 (docs/portability.md)")
+      ->check(CLI::IsMember({"exact", "relaxed"}))
+      ->capture_default_str();
+  command
+      .add_option(
+          "--error", a.error,
+          "for speed under thousands of unranged point lights: the share of itself that a channel of a pixel may be off by (0.01: 1%); 0: exact")
+      ->capture_default_str();
+  command.add_option("--memory", a.memory, "for the planes of the bands in flight: decoded, shaded and encoded at the same time")
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_shade(CLI::App& command, Action& action) {
@@ -206,21 +224,7 @@ void add_shade(CLI::App& command, Action& action) {
   a->reading.add_to(command);
   add_rig_options(command, *a);
   add_output_options(command, *a);
-  command.add_option("--device", a->device,
-                     "cpu, gpu, twin (C++, no OpenCL), an index, or part of a platform's or device's name; default: the best there is");
-  command
-      .add_option(
-          "--precision", a->precision,
-          "exact: every device rounds alike; relaxed: what the driver's compiler makes faster, with an error of some 1e-5 (docs/portability.md)")
-      ->check(CLI::IsMember({"exact", "relaxed"}))
-      ->capture_default_str();
-  command
-      .add_option(
-          "--error", a->error,
-          "for speed under thousands of unranged point lights: the share of itself that a channel of a pixel may be off by (0.01: 1%); 0: exact")
-      ->capture_default_str();
-  command.add_option("--memory", a->memory, "for the planes of the bands in flight: decoded, shaded and encoded at the same time")
-      ->capture_default_str();
+  add_device_options(command, *a);
   command.footer(
       "Examples:\n"
       "  relume shade shot.exr --lights rig.gltf -o relit.exr --png relit.png      a Blender, Mitsuba or pbrt G-buffer under a glTF rig\n"

@@ -1,7 +1,16 @@
 // FrameOutput: planes to channels, and to the picture's pixels.
 #include "host/frame_output.h"
 
+#include <cmath>
+
 namespace relume {
+
+void write_alpha(const GBuffer& gbuffer, const Reading& reading, Planes& out) {
+  const auto stored = gbuffer.roles.find("coverage");
+  const PlaneRange from = stored != gbuffer.roles.end() && !reading.position_premultiplied ? stored->second : gbuffer.coverage;
+  const float *alpha = gbuffer.planes.plane(from.first), *coverage = gbuffer.planes.plane(gbuffer.coverage.first);
+  for (std::int64_t i = 0; i < gbuffer.samples(); ++i) out.plane(OutputLayout::alpha)[i] = std::isfinite(alpha[i]) ? alpha[i] : coverage[i];
+}
 
 FrameOutput::FrameOutput(const RelightJob& job, const OutputLayout& layout, const Imf::Header& like, const Window& window,
                          const Window& display_window, const std::vector<std::pair<std::string, std::string>>& metadata)

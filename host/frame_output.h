@@ -9,6 +9,9 @@
 
 namespace relume {
 
+/// The input's own alpha where it has one that is a number, else the coverage.
+void write_alpha(const GBuffer& gbuffer, const Reading& reading, Planes& out);
+
 class FrameOutput {
  public:
   /// Refuses outputs that exist before any work, as ExrWriter does. `job` and `layout` outlive it.

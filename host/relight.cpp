@@ -4,7 +4,6 @@
 #include <tbb/parallel_pipeline.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 #include "gbuffer/convention.h"
@@ -71,7 +70,6 @@ class Relight {
   void open();
   void shade_and_write();
   std::vector<std::pair<std::string, std::string>> metadata() const;
-  void write_alpha(const GBuffer& gbuffer, Planes& out) const;
   bool ambient_is_a_share() const;
   glm::dvec3 mean_irradiance();
   void light_mesh();
@@ -190,14 +188,6 @@ GBuffer Relight::read_band(const Window& band) {
   return read_gbuffer(file_, reading_, band, roles_, shading_->spare_planes(), mixtures);
 }
 
-/// The input's own alpha where it has one that is a number, else the coverage.
-void Relight::write_alpha(const GBuffer& gbuffer, Planes& out) const {
-  const auto stored = gbuffer.roles.find("coverage");
-  const PlaneRange from = stored != gbuffer.roles.end() && !reading_.position_premultiplied ? stored->second : gbuffer.coverage;
-  const float *alpha = gbuffer.planes.plane(from.first), *coverage = gbuffer.planes.plane(gbuffer.coverage.first);
-  for (std::int64_t i = 0; i < gbuffer.samples(); ++i) out.plane(OutputLayout::alpha)[i] = std::isfinite(alpha[i]) ? alpha[i] : coverage[i];
-}
-
 bool Relight::ambient_is_a_share() const {
   return std::any_of(lights_->groups().begin(), lights_->groups().end(), [](const LightGroup& g) { return g.ambient_fraction != 0; });
 }
@@ -249,7 +239,7 @@ void Relight::shade_band(BandInWork& band) {
   else
     shading_->shade(gbuffer, band.out, shade_watch_, shaded);
   if (const int plane = shading_->error_plane(); plane >= 0 && !mesh_) environment_error_.add(gbuffer, band.out, plane);
-  write_alpha(gbuffer, band.out);
+  write_alpha(gbuffer, reading_, band.out);
   fold_surfaces(gbuffer, band.out);
   shade_watch_.lap("shade");
 }

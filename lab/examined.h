@@ -38,8 +38,8 @@ struct Examined {
 };
 
 /// The lobe with its grid: reflectances at 1, so that it reflects all that it can; every choice of terms; each number from its lowest to its highest
-/// with the others at their defaults and at their highest; all corners. `fixed`: settings of a user, which leave the grid; where they make a reflectance less than 1, claims about white surfaces leave too.
-/// Error{input}.
+/// with the others at their defaults and at their highest; all corners. `fixed`: settings of a user, which leave the grid; where they make a reflectance less
+/// than 1, claims about white surfaces leave too. Error{input}.
 Examined examined(const Lobe& lobe, const Setting& fixed, std::shared_ptr<Device> device);
 
 /// `base` with other assignments, which replace those of the same name; roughness and alpha stand for each other.
