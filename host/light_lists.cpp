@@ -100,28 +100,37 @@ class SuperTile {
   PixelBounds all_ = no_bounds(), tile_[tiles][PixelCells::super_columns], cell_[tiles][PixelCells::super_columns][cells];
 };
 
-/// Behind `numbers`: for each block where its list begins and ends, then the lists. Returns where that starts.
-int append(const PixelCells& pixels, const std::vector<Listed>& listed, std::vector<int>& numbers) {
-  const std::size_t start = numbers.size();
-  numbers.resize(start + 2 * std::size_t(pixels.blocks()));
-  for (const Listed& super_tile : listed) {
-    const int offset = int(numbers.size());
-    numbers.insert(numbers.end(), super_tile.numbers.begin(), super_tile.numbers.end());
-    for (const List& list : super_tile.lists)
-      for (int y = list.y; y < list.y + list.rows; ++y)
-        for (int column = list.column; column < list.column + list.columns; ++column) {
-          const int block = pixels.block_at(y, column);
-          if (block < 0) continue;
-          numbers[start + 2 * std::size_t(block)] = offset + list.begin;
-          numbers[start + 2 * std::size_t(block) + 1] = offset + list.end;
-        }
-  }
-  return int(start);
+/// A super-tile's lists to their place, and where they begin and end to each of their blocks.
+void place(const PixelCells& pixels, const Listed& listed, int* blocks, int* numbers, int offset) {
+  std::copy(listed.numbers.begin(), listed.numbers.end(), numbers + offset);
+  for (const List& list : listed.lists)
+    for (int y = list.y; y < list.y + list.rows; ++y)
+      for (int column = list.column; column < list.column + list.columns; ++column) {
+        const int block = pixels.block_at(y, column);
+        if (block < 0) continue;
+        blocks[2 * block] = offset + list.begin;
+        blocks[2 * block + 1] = offset + list.end;
+      }
 }
 
-}  // namespace
-
-namespace {
+/// Behind the `count` numbers: for each block where its list begins and ends, then the lists. Returns where that starts.
+int append(const PixelCells& pixels, const std::vector<Listed>& listed, std::unique_ptr<int[]>& numbers, std::size_t& count) {
+  const std::size_t start = count, blocks = 2 * std::size_t(pixels.blocks());
+  std::vector<int> offsets;
+  std::size_t size = start + blocks;
+  for (const Listed& super_tile : listed) {
+    offsets.push_back(int(size));
+    size += super_tile.numbers.size();
+  }
+  // Megabytes that many threads write for the first time: nothing is cleared or moved before.
+  std::unique_ptr<int[]> all = std::make_unique_for_overwrite<int[]>(size);
+  std::copy(numbers.get(), numbers.get() + start, all.get());
+  std::fill_n(all.get() + start, blocks, 0);
+  tbb::parallel_for(std::size_t(0), listed.size(), [&](std::size_t t) { place(pixels, listed[t], all.get() + start, all.get(), offsets[t]); });
+  numbers = std::move(all);
+  count = size;
+  return int(start);
+}
 
 /// Without those of the tree, whose numbers come cluster by cluster.
 LightReach reach_without(std::span<const LightRecord> lights, std::span<const int, LIGHT_COUNT + 1> begin, const LightTree& tree) {
@@ -149,7 +158,7 @@ int LightLists::add_lists(const Planes& planes, const Frame& frame, int width, c
   const int count = pixels.super_tiles_across() * pixels.super_tiles_down();
   for (const Sharing sharing : {Sharing::cell, Sharing::tile, Sharing::super_tile}) {
     std::vector<Listed> listed{std::size_t(count)};
-    std::atomic<std::size_t> total = numbers_.size() + 2 * std::size_t(pixels.blocks());
+    std::atomic<std::size_t> total = size_ + 2 * std::size_t(pixels.blocks());
     tbb::parallel_for(0, count, [&](int t) {
       if (total > most) return;
       if (cuts)
@@ -158,7 +167,7 @@ int LightLists::add_lists(const Planes& planes, const Frame& frame, int width, c
         SuperTile(pixels, t).list(lights, sharing, listed[std::size_t(t)]);
       total += listed[std::size_t(t)].numbers.size();
     });
-    if (total <= most) return append(pixels, listed, numbers_);
+    if (total <= most) return append(pixels, listed, numbers_, size_);
     if (cuts) return 0;
   }
   return 0;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -47,12 +48,13 @@ class LightLists {
   static std::size_t room_for_cuts(const Planes& planes) { return 8 * planes.bytes() / sizeof(int); }
 
   /// What the kernels read: for each block the positions in it where its list begins and ends, and the lists, light numbers ascending.
-  std::span<const int> numbers() const { return numbers_; }
+  std::span<const int> numbers() const { return {numbers_.get(), size_}; }
 
  private:
   int add_lists(const Planes& planes, const Frame& frame, int width, const SortedLights& lights, const LightCuts* cuts, std::size_t most);
 
-  std::vector<int> numbers_{0};  // a Frame whose `lists` is 0 has none
+  std::unique_ptr<int[]> numbers_ = std::make_unique<int[]>(1);  // a Frame whose `lists` is 0 has none
+  std::size_t size_ = 1;
 };
 
 /// How many lights a pixel of the frame meets in the mean, at least one: what a launch's work is reckoned by.
