@@ -9,15 +9,6 @@
 #include "gbuffer/whole_file.h"
 
 namespace relume::bench {
-namespace {
-
-void write_text(const std::filesystem::path& file, const std::string& text) {
-  WholeFile whole(file, true);
-  whole.write(text.data(), text.size());
-  whole.commit();
-}
-
-}  // namespace
 
 std::vector<std::string> write_plots(const std::filesystem::path& folder, const Bench& bench, std::string& note) {
   std::error_code failed;
@@ -30,7 +21,7 @@ std::vector<std::string> write_plots(const std::filesystem::path& folder, const 
       const std::string name = plot.name + ending;
       script += terminal_for(name, plot.figure) + "set output '" + name + "'\n" + plot.figure.commands + "\nunset output\n";
     }
-    write_text(folder / (plot.name + ".gnuplot"), script);
+    write_whole(folder / (plot.name + ".gnuplot"), script, true);
     try {
       for (const char* ending : {".svg", ".png"}) {
         draw(plot.figure, folder / (plot.name + ending), true);

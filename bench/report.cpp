@@ -93,9 +93,7 @@ void write_csv(const std::filesystem::path& file, const Bench& bench) {
          << ',' << m.per_second(work.pairs()) << ',' << (work.pixel_lights.empty() ? "" : work.pixel_lights.front().counted) << ',' << flops << ','
          << m.per_second(work.bytes) << ',' << (m.subject.roof.flops > 0 ? flops / m.subject.roof.flops : 0) << ',' << m.subject.verdict << '\n';
   }
-  WholeFile whole(file, true);
-  whole.write(text.str().data(), text.str().size());
-  whole.commit();
+  write_whole(file, text.str(), true);
 }
 
 }  // namespace relume::bench

@@ -79,9 +79,7 @@ void write_json(const std::filesystem::path& file, const Bench& bench) {
   reporter.ReportContext(benchmark::BenchmarkReporter::Context());
   for (std::size_t k = 0; k < bench.measurements.size(); ++k) reporter.ReportRuns(runs_of(bench.measurements[k], k));
   reporter.Finalize();
-  WholeFile whole(file, true);
-  whole.write(text.str().data(), text.str().size());
-  whole.commit();
+  write_whole(file, text.str(), true);
 }
 
 }  // namespace relume::bench

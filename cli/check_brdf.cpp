@@ -94,12 +94,6 @@ Json examination_json(const Examination& e) {
           {"laws", findings_json(e.findings)}};
 }
 
-void write_text(const std::string& file, bool overwrite, const std::string& text) {
-  WholeFile out(file, overwrite);
-  out.write(text.data(), text.size());
-  out.commit();
-}
-
 /// The twin has no state, so its lobes go side by side.
 void examine(std::vector<Examination>& lobes, const Device& device) {
   const auto one = [&](std::size_t i) { lobes[i].findings = findings_of(lobes[i].lobe); };
@@ -120,7 +114,7 @@ int check_brdf(const CheckArguments& a) {
   bool plausible = std::none_of(terms.begin(), terms.end(), [](const LawFinding& f) { return f.fails(); });
   for (const Examination& e : lobes)
     plausible = plausible && std::none_of(e.findings.begin(), e.findings.end(), [](const LawFinding& f) { return f.fails(); });
-  if (!a.csv.empty()) write_text(a.csv, a.overwrite, albedo_csv(lobes));
+  if (!a.csv.empty()) write_whole(a.csv, albedo_csv(lobes), a.overwrite);
   if (!a.figure.empty()) draw(furnace_figure(lobes), a.figure, a.overwrite);
   if (a.json) {
     Json all{{"device", device->info().name}, {"plausible", plausible}, {"brdfs", Json::array()}, {"terms", findings_json(terms)}};

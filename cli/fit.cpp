@@ -66,9 +66,7 @@ void write_csv(const std::vector<Fit>& fits, const std::string& file, bool overw
       std::snprintf(values, sizeof values, ",%.9g,%.9g,%.9g\n", p.values.front(), p.values[p.values.size() / 2], p.values.back());
       text += head + p.name + values;
     }
-  WholeFile whole(file, overwrite);
-  whole.write(text.data(), text.size());
-  whole.commit();
+  write_whole(file, text, overwrite);
 }
 
 void check_outputs(const FitArguments& a) {

@@ -137,12 +137,6 @@ void write_exr(const Plot& plot, const PlotArguments& a) {
   writer.commit();
 }
 
-void write_text(const std::string& text, const std::string& file, bool overwrite) {
-  WholeFile whole(file, overwrite);
-  whole.write(text.data(), text.size());
-  whole.commit();
-}
-
 int plot(const CLI::App& command, const PlotArguments& a) {
   const PlotKind& kind = kind_named(a.kind);
   check_options(command, kind);
@@ -160,7 +154,7 @@ int plot(const CLI::App& command, const PlotArguments& a) {
     write_exr(made, a);
   else if (!a.output.empty())
     draw(made.figure, a.output, a.overwrite);
-  if (!a.csv.empty()) write_text(made.csv, a.csv, a.overwrite);
+  if (!a.csv.empty()) write_whole(a.csv, made.csv, a.overwrite);
   for (const std::string& remark : made.remarks) std::cout << remark << "\n";
   return 0;
 }

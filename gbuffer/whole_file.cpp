@@ -170,4 +170,10 @@ void WholeFile::discard() noexcept {
   forget_temporary(std::exchange(slot_, -1));
 }
 
+void write_whole(const std::filesystem::path& file, const std::string& bytes, bool overwrite) {
+  WholeFile whole(file, overwrite);
+  whole.write(bytes.data(), bytes.size());
+  whole.commit();
+}
+
 }  // namespace relume

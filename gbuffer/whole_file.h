@@ -45,6 +45,9 @@ class WholeFile {
   std::vector<char> buffer_;
 };
 
+/// A file of these bytes, whole or not there.
+void write_whole(const std::filesystem::path& file, const std::string& bytes, bool overwrite);
+
 /// For signal handlers: unlinks every temporary now open. Async-signal-safe.
 void remove_temporaries() noexcept;
 

@@ -8,6 +8,10 @@
 
 namespace relume {
 
+std::unique_ptr<Device> open_device_or_twin(const std::string& selector) {
+  return open_device(selector.empty() && list_devices().empty() ? "twin" : selector);
+}
+
 DeviceOpening::DeviceOpening(const std::string& selector, Precision precision) : selector_(selector) {
   prepare_driver_environment();  // sets variables: not while another thread may read some
   device_ = std::async(std::launch::async, [selector, precision] { return open_device(selector, 0, precision); });

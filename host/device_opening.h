@@ -11,6 +11,9 @@
 
 namespace relume {
 
+/// As open_device; the twin where none is asked for and there is no OpenCL device.
+std::unique_ptr<Device> open_device_or_twin(const std::string& selector);
+
 class DeviceOpening {
  public:
   /// Begins to open the device that `selector` means (host/device.h).

@@ -8,7 +8,7 @@
 #include "gbuffer/error.h"
 #include "host/binding.h"
 #include "host/brdf_name.h"
-#include "host/device.h"
+#include "host/device_opening.h"
 #include "host/lobes.h"
 #include "host/row_band.h"
 #include "host/self_test.h"
@@ -73,7 +73,7 @@ std::string evaluate_table(const std::string& brdf, const std::vector<std::strin
     throw Error(ErrorKind::input, "--set: no layer \"" + layer + "\": a table has columns");
   };
   const Binding binding(material, {}, "stdin", no_layers, rows.reading());
-  const std::unique_ptr<Device> opened = open_device(device.empty() && list_devices().empty() ? "twin" : device);
+  const std::unique_ptr<Device> opened = open_device_or_twin(device);
   if (opened->info().name != "twin") self_test(*opened, binding.programs().front());
   const Planes out = rows.evaluate(*opened, binding);
   const std::vector<double> n_l = table.numbers(table.column("n_l"));

@@ -6,6 +6,7 @@
 #include "gbuffer/error.h"
 #include "gbuffer/printable.h"
 #include "host/brdf_name.h"
+#include "host/device_opening.h"
 #include "host/row_band.h"
 #include "host/self_test.h"
 
@@ -31,9 +32,7 @@ PreciseCosines cosines_of(const DirectionPair& pair) {
   return c;
 }
 
-std::shared_ptr<Device> lab_device(const std::string& selector) {
-  return open_device(selector.empty() && list_devices().empty() ? "twin" : selector);
-}
+std::shared_ptr<Device> lab_device(const std::string& selector) { return open_device_or_twin(selector); }
 
 Brdf::Brdf(const std::string& name, const std::vector<std::string>& set, std::shared_ptr<Device> device)
     : name_(name), material_(material_named(name)), device_(std::move(device)) {

@@ -27,7 +27,7 @@ struct Reflectance {
 /// From the vectors, so that nothing cancels near the mirror direction, where sharp lobes live (DESIGN.md, "Shading in three cosines").
 PreciseCosines cosines_of(const DirectionPair& pair);
 
-/// A device that has passed its self-test. `selector` as for open_device; where there is no OpenCL device, the twin.
+/// open_device_or_twin (host/device_opening.h), for Brdfs to share: each has it pass the self-test of its own lobes.
 std::shared_ptr<Device> lab_device(const std::string& selector);
 
 class Brdf {

@@ -52,12 +52,6 @@ std::string lobes_of(const Arguments& a, const Lighting& lighting) {
   return text;
 }
 
-void write_text(const std::string& file, const std::string& text, bool overwrite) {
-  WholeFile whole(file, overwrite);
-  whole.write(text.data(), text.size());
-  whole.commit();
-}
-
 /// The mesh, or the coarse sphere, baked to the file.
 void bake_to(const std::filesystem::path& file, const Arguments& a, std::vector<std::string>& notes) {
   Mesh mesh = a.input.empty() ? sphere_mesh(3) : read_mesh(a.input, a.view.mesh_options());
@@ -93,7 +87,7 @@ void draw_scan_line(const Arguments& a, const Lighting& lighting) {
                 "--row " + std::to_string(line.row) + ": is not in the picture (0 to " + std::to_string(line.phong.height - 1) + ")");
   write_image(gouraud.path(), line.gouraud, a.exposure);
   write_image(phong.path(), line.phong, a.exposure);
-  if (!a.csv.empty()) write_text(a.csv, csv_of(line), a.overwrite);
+  if (!a.csv.empty()) write_whole(a.csv, csv_of(line), a.overwrite);
   draw(figure_of(line, gouraud.path(), phong.path()), a.output, a.overwrite);
   for (const std::string& note : notes)
     if (!a.quiet) std::cerr << "note: " << printable_sentence(note) << "\n";
@@ -101,7 +95,7 @@ void draw_scan_line(const Arguments& a, const Lighting& lighting) {
 
 void draw_density(const Arguments& a, const Lighting& lighting) {
   const std::vector<Density> all = densities(lighting);
-  if (!a.csv.empty()) write_text(a.csv, csv_of(all), a.overwrite);
+  if (!a.csv.empty()) write_whole(a.csv, csv_of(all), a.overwrite);
   draw(figure_of(all, lobes_of(a, lighting)), a.output, a.overwrite);
 }
 

@@ -21,12 +21,7 @@ void figure_ks(CLI::App& command, Action& action) {
     action = [a] {
       terminal_for(a->output, {});  // the ending, before the work
       const std::vector<GreatestKs> all = greatest_ks(lab_device(a->device));
-      if (!a->csv.empty()) {
-        const std::string text = ks_csv(all);
-        WholeFile file(a->csv, a->overwrite);
-        file.write(text.data(), text.size());
-        file.commit();
-      }
+      if (!a->csv.empty()) write_whole(a->csv, ks_csv(all), a->overwrite);
       draw(ks_figure(all), a->output, a->overwrite);
       return 0;
     };
