@@ -1,5 +1,5 @@
 // kernels/language.h spelt a third time: one lane whose every operation is written down. Two operations on the same operands are one (a compiler
-// finds that too), those on constants alone are none, and what no stored result needs is not counted.
+// finds that too), those on constants alone are none, and what no stored result and no branch needs is not counted.
 // Included by operations.cpp alone, inside its namespace, before the kernels.
 #define RELUME_LANGUAGE_H
 #define RELUME_LANES 1
@@ -18,7 +18,7 @@ struct Node {
 struct Tape {
   std::vector<Node> nodes;
   std::map<Node, int> known;
-  std::vector<int> stored;
+  std::vector<int> stored, decided;  ///< decided: upon which way the program goes
 
   int write(Kind kind, std::array<std::int64_t, 3> operands) {
     const auto [at, is_new] = known.try_emplace({kind, operands}, int(nodes.size()));
@@ -95,9 +95,13 @@ RELUME_FN integer as_integer(real x) { return noted(std::bit_cast<int>(x.value),
 RELUME_FN real to_real(integer x) { return noted(float(x.value), Kind::whole, 7, x); }
 RELUME_FN integer to_integer(real x) { return noted(int(x.value), Kind::whole, 8, x); }
 RELUME_FN real all_lanes(float x) { return x; }
-RELUME_FN int any_of(mask m) { return m.value; }
+RELUME_FN int any_of(mask m) {
+  tape.decided.push_back(m.node);
+  return m.value;
+}
 RELUME_FN real load(const float* p) { return real(*p, Kind::load, {std::int64_t(reinterpret_cast<std::intptr_t>(p)), 0, 0}); }
 RELUME_FN void store(real x, float*) { tape.stored.push_back(x.node); }
+RELUME_FN void store_past_cache(real x, float* p) { store(x, p); }
 RELUME_FN float least_of(real x) { return x.value; }
 RELUME_FN real gather(const float* table, integer index) {
   return real(table[index.value], Kind::load, {std::int64_t(reinterpret_cast<std::intptr_t>(table)), index.node, 1});

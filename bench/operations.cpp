@@ -62,12 +62,13 @@ std::size_t operand_count(const Node& node) {
   return node.kind == Kind::select || node.kind == Kind::fused ? 3 : 2;
 }
 
-/// The operations on which the stored results depend. Nodes come after their operands, so one pass backwards finds them all.
+/// The operations on which the stored results and branches depend. Nodes come after their operands, so one pass backwards finds them all.
 Operations needed() {
   Operations sum;
   sum.stores = double(tape.stored.size());
   std::vector<bool> is_needed(tape.nodes.size());
-  for (const int node : tape.stored) is_needed[std::size_t(node)] = true;
+  for (const std::vector<int>* const nodes : {&tape.stored, &tape.decided})
+    for (const int node : *nodes) is_needed[std::size_t(node)] = true;
   for (std::size_t n = tape.nodes.size(); n-- > 0;) {
     if (!is_needed[n]) continue;
     const Node& node = tape.nodes[n];

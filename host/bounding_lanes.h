@@ -187,3 +187,4 @@ static inline real all_lanes(float x) { return x; }
 static inline int any_of(const mask& m) { return plain::any_of(~m.no); }
 static inline real load(const float*) { return 0.0f; }
 static inline void store(const real&, float*) {}
+static inline void store_past_cache(const real&, float*) {}

@@ -7,7 +7,7 @@
 #include <atomic>
 #include <initializer_list>
 
-#include "host/pixel_cells.h"
+#include "host/cell_bounds.h"
 
 namespace relume {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 /// With fewer lights than these the bounds cost more than the lights.
 constexpr int too_few = 8;
 
-constexpr int tiles = PixelCells::super_rows / PixelCells::tile_rows, cells = PixelCells::tile_rows / PixelCells::cell_rows;
+constexpr int cells = PixelCells::tile_rows / PixelCells::cell_rows;  // in a tile, one above the other
 
 /// Pixels that share a list.
 enum class Sharing { cell, tile, super_tile };
@@ -33,71 +33,74 @@ struct Listed {
 /// What is listed of one super-tile.
 class SuperTile {
  public:
-  SuperTile(const PixelCells& pixels, int number)
-      : y_(number / pixels.super_tiles_across() * PixelCells::super_rows), column_(number % pixels.super_tiles_across() * PixelCells::super_columns) {
-    for (int t = 0; t < tiles; ++t)
-      for (int c = 0; c < PixelCells::super_columns; ++c)
-        for (int k = 0; k < cells; ++k) {
-          if (k == 0) tile_[t][c] = no_bounds();
-          cell_[t][c][k] = pixels.bounds_of_cell(y_of(t, k), column_ + c);
-          include_positions(tile_[t][c], cell_[t][c][k]);
-          include_positions(all_, cell_[t][c][k]);
-        }
+  SuperTile(const PixelCells& pixels, const CellBounds& bounds, int number)
+      : pixels_(pixels),
+        bounds_(bounds),
+        y_(number / pixels.super_tiles_across() * PixelCells::super_rows),
+        first_column_(number % pixels.super_tiles_across() * PixelCells::super_columns),
+        end_column_(std::min(first_column_ + PixelCells::super_columns, pixels.columns())),
+        end_row_(std::min((y_ + PixelCells::super_rows) / PixelCells::cell_rows, pixels.cells_down())) {
+    for_tiles([&](const PixelBounds& tile, int, int, int) { include_positions(all_, tile); });
   }
 
-  /// Once more for tiles, each with its cut behind the lights that are near it.
-  void list(const PixelCells& pixels, const SortedLights& lights, const LightCuts& cuts, Listed& listed) const {
-    if (is_empty(all_)) return;
-    thread_local LightReach near, nearer;
-    thread_local std::vector<PixelPatch> patches;
-    lights.reach.members_near(all_, lights.spheres, SortedLights::clustered, near);
-    for (int t = 0; t < tiles; ++t)
-      for (int c = 0; c < PixelCells::super_columns; ++c) {
-        if (is_empty(tile_[t][c])) continue;
-        near.near(tile_[t][c], nearer);
-        for (int k = 0; k < cells; ++k) {
-          if (is_empty(cell_[t][c][k])) continue;
-          add(listed, {y_of(t, k), column_ + c, PixelCells::cell_rows, 1, 0, 0}, nearer, cell_[t][c][k], true);
-          patches.clear();
-          add_patches(pixels, y_of(t, k), column_ + c, PixelCells::cell_rows, cuts.most_turn(), patches);
-          cuts.add_cut(patches, listed.numbers);
-          listed.lists.back().end = int(listed.numbers.size());
-        }
-      }
-  }
-
-  void list(const SortedLights& lights, Sharing sharing, Listed& listed) const {
+  /// `cuts`: behind the lights that are near a cell its cut; null where there are none.
+  void list(const SortedLights& lights, Sharing sharing, const LightCuts* cuts, Listed& listed) const {
     if (is_empty(all_)) return;
     thread_local LightReach near, nearer;
     lights.reach.members_near(all_, lights.spheres, SortedLights::clustered, near);
-    if (sharing == Sharing::super_tile) return add(listed, {y_, column_, PixelCells::super_rows, PixelCells::super_columns, 0, 0}, near, all_, false);
-    for (int t = 0; t < tiles; ++t)
-      for (int c = 0; c < PixelCells::super_columns; ++c) {
-        if (is_empty(tile_[t][c])) continue;
-        near.near(tile_[t][c], nearer);
-        if (sharing == Sharing::tile) {
-          add(listed, {y_of(t, 0), column_ + c, PixelCells::tile_rows, 1, 0, 0}, nearer, tile_[t][c], false);
-          continue;
-        }
-        for (int k = 0; k < cells; ++k)
-          if (!is_empty(cell_[t][c][k])) add(listed, {y_of(t, k), column_ + c, PixelCells::cell_rows, 1, 0, 0}, nearer, cell_[t][c][k], true);
+    if (sharing == Sharing::super_tile) return add(listed, {y_, first_column_, PixelCells::super_rows, PixelCells::super_columns, 0, 0}, near, {});
+    for_tiles([&](const PixelBounds& tile, int row, int end, int column) {
+      if (is_empty(tile)) return;
+      near.near(tile, nearer);
+      if (sharing == Sharing::tile) return add(listed, {row * PixelCells::cell_rows, column, PixelCells::tile_rows, 1, 0, 0}, nearer, {});
+      for (; row < end; ++row) {
+        const std::span<const PixelBounds> cell = bounds_.of(row, column);
+        if (cell.empty()) continue;
+        add(listed, {row * PixelCells::cell_rows, column, PixelCells::cell_rows, 1, 0, 0}, nearer, cell);
+        if (cuts) add_cut(*cuts, listed);
       }
+    });
   }
 
  private:
-  int y_of(int tile, int cell) const { return y_ + tile * PixelCells::tile_rows + cell * PixelCells::cell_rows; }
-  static void add(Listed& listed, List list, const LightReach& lights, const PixelBounds& bounds, bool facing) {
+  /// With the box of a tile's positions, its rows of cells [row, end) and its column.
+  template <class Visit>
+  void for_tiles(const Visit& visit) const {
+    for (int first = y_ / PixelCells::cell_rows; first < end_row_; first += cells)
+      for (int column = first_column_; column < end_column_; ++column) {
+        PixelBounds tile = no_bounds();
+        const int end = std::min(first + cells, end_row_);
+        for (int row = first; row < end; ++row)
+          for (const PixelBounds& part : bounds_.of(row, column)) include_positions(tile, part);
+        visit(tile, first, end, column);
+      }
+  }
+
+  /// The lights that may light one of the parts; all of them where there are none.
+  static void add(Listed& listed, List list, const LightReach& lights, std::span<const PixelBounds> parts) {
     list.begin = int(listed.numbers.size());
-    if (facing)
-      lights.add_lighting(bounds, listed.numbers);
-    else
+    if (parts.empty())
       lights.add_numbers(listed.numbers);
+    else
+      lights.add_lighting(parts, listed.numbers);
     list.end = int(listed.numbers.size());
     listed.lists.push_back(list);
   }
 
-  int y_, column_;
-  PixelBounds all_ = no_bounds(), tile_[tiles][PixelCells::super_columns], cell_[tiles][PixelCells::super_columns][cells];
+  /// To the last cell.
+  void add_cut(const LightCuts& cuts, Listed& listed) const {
+    thread_local std::vector<PixelPatch> patches;
+    patches.clear();
+    List& cell = listed.lists.back();
+    add_patches(pixels_, cell.y, cell.column, PixelCells::cell_rows, cuts.most_turn(), patches);
+    cuts.add_cut(patches, listed.numbers);
+    cell.end = int(listed.numbers.size());
+  }
+
+  const PixelCells& pixels_;
+  const CellBounds& bounds_;
+  int y_, first_column_, end_column_, end_row_;
+  PixelBounds all_ = no_bounds();
 };
 
 /// A super-tile's lists to their place, and where they begin and end to each of their blocks.
@@ -142,7 +145,7 @@ LightReach reach_without(std::span<const LightRecord> lights, std::span<const in
 }  // namespace
 
 SortedLights::SortedLights(std::span<const LightRecord> lights, std::span<const int, LIGHT_COUNT + 1> begin, const LightTree& tree)
-    : reach(reach_without(lights, begin, tree)), spheres(reach.spheres_around(clustered)) {}
+    : reach(reach_without(lights, begin, tree)), spheres(reach.spheres_around(clustered)), widest_box(0.5f * reach.median_reach()) {}
 
 int LightLists::add(const Planes& planes, const Frame& frame, int width, const SortedLights& lights, std::size_t most) {
   if (!lights.reach.any_bounded() || lights.reach.size() < too_few) return 0;
@@ -155,16 +158,14 @@ int LightLists::add(const Planes& planes, const Frame& frame, int width, const S
 
 int LightLists::add_lists(const Planes& planes, const Frame& frame, int width, const SortedLights& lights, const LightCuts* cuts, std::size_t most) {
   const PixelCells pixels(planes, frame, width);
+  const CellBounds bounds(pixels, lights.widest_box);
   const int count = pixels.super_tiles_across() * pixels.super_tiles_down();
   for (const Sharing sharing : {Sharing::cell, Sharing::tile, Sharing::super_tile}) {
     std::vector<Listed> listed{std::size_t(count)};
     std::atomic<std::size_t> total = size_ + 2 * std::size_t(pixels.blocks());
     tbb::parallel_for(0, count, [&](int t) {
       if (total > most) return;
-      if (cuts)
-        SuperTile(pixels, t).list(pixels, lights, *cuts, listed[std::size_t(t)]);
-      else
-        SuperTile(pixels, t).list(lights, sharing, listed[std::size_t(t)]);
+      SuperTile(pixels, bounds, t).list(lights, sharing, cuts, listed[std::size_t(t)]);
       total += listed[std::size_t(t)].numbers.size();
     });
     if (total <= most) return append(pixels, listed, numbers_, size_);

@@ -28,6 +28,8 @@ struct SortedLights {
 
   LightReach reach;    ///< neighbours in space together
   LightReach spheres;  ///< around each `clustered` of them
+  /// Boxes around pixels are split where they are longer: some half a light's reach, from where on lights fit into what is empty of a box.
+  float widest_box = 0;
 };
 
 class LightLists {

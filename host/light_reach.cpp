@@ -2,8 +2,10 @@
 #include "host/light_reach.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -21,38 +23,18 @@ namespace {
 constexpr float margin = 1e-4f;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-RELUME_WIDE void near_spheres(const float* x, const float* y, const float* z, const float* range2, const PixelBounds& b, int count, int* mark) {
-  for (int i = 0; i < count; ++i) {
-    const float dx = std::max(std::max(b.low[0] - x[i], x[i] - b.high[0]), 0.0f);
-    const float dy = std::max(std::max(b.low[1] - y[i], y[i] - b.high[1]), 0.0f);
-    const float dz = std::max(std::max(b.low[2] - z[i], z[i] - b.high[2]), 0.0f);
-    mark[i] = dx * dx + dy * dy + dz * dz > range2[i] ? 0 : 1;
-  }
-}
+constexpr int together = LightReach::together;
 
-/// Unmarks cones that pass the sphere of `radius` around q by: the distance from a cone's side is cos(outer) across - sin(outer) along.
-RELUME_WIDE void near_cones(const float* x, const float* y, const float* z, const float* ax, const float* ay, const float* az, const float* cosine,
-                            const float* sine, const float* q, float radius, int count, int* mark) {
-  for (int i = 0; i < count; ++i) {
-    const float dx = q[0] - x[i], dy = q[1] - y[i], dz = q[2] - z[i];
-    const float along = dx * ax[i] + dy * ay[i] + dz * az[i], d2 = dx * dx + dy * dy + dz * dz;
-    const float across = std::sqrt(std::max(d2 - along * along, 0.0f));
-    const float slack = radius + margin * (radius + std::fabs(dx) + std::fabs(dy) + std::fabs(dz));
-    mark[i] = cosine[i] * across - sine[i] * along > slack ? 0 : mark[i];
-  }
-}
+}  // namespace
 
-/// Unmarks lights behind every pixel: n.(light - p) = n.(light - q) - n.(p - q) is at most the sum over axes of the larger product, less the deepest
-/// pixel.
-RELUME_WIDE void in_front(const float* x, const float* y, const float* z, const float* w, const PixelBounds& b, float extent, int count, int* mark) {
-  for (int i = 0; i < count; ++i) {
-    const float dx = x[i] - w[i] * b.reference[0], dy = y[i] - w[i] * b.reference[1], dz = z[i] - w[i] * b.reference[2];
-    const float most = std::max(b.normal_low[0] * dx, b.normal_high[0] * dx) + std::max(b.normal_low[1] * dy, b.normal_high[1] * dy) +
-                       std::max(b.normal_low[2] * dz, b.normal_high[2] * dz);
-    const float slack = margin * (std::fabs(dx) + std::fabs(dy) + std::fabs(dz) + extent);
-    mark[i] = most - w[i] * b.deepest < -slack ? 0 : mark[i];
-  }
-}
+struct LightReach::Columns {
+  const float *x, *y, *z, *w, *range2, *axis_x, *axis_y, *axis_z, *cosine, *sine;
+  bool any_cone;
+};
+
+namespace {
+
+using Lights = LightReach::Columns;
 
 struct Sphere {
   float centre[3], extent, radius;  ///< extent: the sum of the box's sides
@@ -64,6 +46,96 @@ Sphere around(const PixelBounds& b) {
   s.radius = 0.5f * std::sqrt(s.radius);
   return s;
 }
+
+// Each of the next three looks at `together` lights.
+
+inline void mark_near(const Lights& l, int first, const PixelBounds& b, int* mark) {
+  for (int k = 0, i = first; k < together; ++k, ++i) {
+    const float dx = std::max(std::max(b.low[0] - l.x[i], l.x[i] - b.high[0]), 0.0f);
+    const float dy = std::max(std::max(b.low[1] - l.y[i], l.y[i] - b.high[1]), 0.0f);
+    const float dz = std::max(std::max(b.low[2] - l.z[i], l.z[i] - b.high[2]), 0.0f);
+    mark[k] = dx * dx + dy * dy + dz * dz > l.range2[i] ? 0 : 1;
+  }
+}
+
+/// Unmarks cones that pass the sphere by: the distance from a cone's side is cos(outer) across - sin(outer) along.
+inline void unmark_cones(const Lights& l, int first, const Sphere& s, int* mark) {
+  for (int k = 0, i = first; k < together; ++k, ++i) {
+    const float dx = s.centre[0] - l.x[i], dy = s.centre[1] - l.y[i], dz = s.centre[2] - l.z[i];
+    const float along = dx * l.axis_x[i] + dy * l.axis_y[i] + dz * l.axis_z[i], d2 = dx * dx + dy * dy + dz * dz;
+    const float across = std::sqrt(std::max(d2 - along * along, 0.0f));
+    const float slack = s.radius + margin * (s.radius + std::fabs(dx) + std::fabs(dy) + std::fabs(dz));
+    mark[k] = l.cosine[i] * across - l.sine[i] * along > slack ? 0 : mark[k];
+  }
+}
+
+/// Unmarks lights behind every pixel: n.(light - p) = n.(light - q) - n.(p - q) is at most the sum over axes of the larger product, less the deepest
+/// pixel.
+inline void unmark_behind(const Lights& l, int first, const PixelBounds& b, float extent, int* mark) {
+  for (int k = 0, i = first; k < together; ++k, ++i) {
+    const float dx = l.x[i] - l.w[i] * b.reference[0], dy = l.y[i] - l.w[i] * b.reference[1], dz = l.z[i] - l.w[i] * b.reference[2];
+    const float most = std::max(b.normal_low[0] * dx, b.normal_high[0] * dx) + std::max(b.normal_low[1] * dy, b.normal_high[1] * dy) +
+                       std::max(b.normal_low[2] * dz, b.normal_high[2] * dz);
+    const float slack = margin * (std::fabs(dx) + std::fabs(dy) + std::fabs(dz) + extent);
+    mark[k] = most - l.w[i] * b.deepest < -slack ? 0 : mark[k];
+  }
+}
+
+/// The marked ones' numbers, one after the other: each is written, and kept where the next one does not overwrite it.
+inline int keep_marked(const int* mark, const int* numbers, int kept, int* to) {
+  for (int k = 0; k < together; ++k) {
+    to[kept] = numbers[k];
+    kept += mark[k];
+  }
+  return kept;
+}
+
+inline bool any_marked(const int* mark) {
+  int any = 0;
+  for (int k = 0; k < together; ++k) any |= mark[k];
+  return any;
+}
+
+RELUME_WIDE int find_near(const Lights& l, int first, int last, const PixelBounds& b, int* places) {
+  const Sphere s = around(b);
+  int kept = 0;
+  for (; first < last; first += together) {
+    int mark[together], place[together];
+    mark_near(l, first, b, mark);
+    if (!any_marked(mark)) continue;
+    if (l.any_cone) unmark_cones(l, first, s, mark);
+    for (int k = 0; k < together; ++k) place[k] = first + k;
+    kept = keep_marked(mark, place, kept, places);
+  }
+  return kept;
+}
+
+RELUME_WIDE int find_lighting(const Lights& l, int count, const PixelBounds* parts, int part_count, const int* light, int* numbers) {
+  Sphere spheres[RELUME_CELL_PARTS];
+  for (int p = 0; p < part_count; ++p) spheres[p] = around(parts[p]);
+  int kept = 0;
+  for (int first = 0; first < count; first += together) {
+    int mark[together] = {};
+    for (int p = 0; p < part_count; ++p) {
+      int of_part[together];
+      mark_near(l, first, parts[p], of_part);
+      if (l.any_cone) unmark_cones(l, first, spheres[p], of_part);
+      unmark_behind(l, first, parts[p], spheres[p].extent, of_part);
+      for (int k = 0; k < together; ++k) mark[k] |= of_part[k];
+    }
+    if (any_marked(mark)) kept = keep_marked(mark, light + first, kept, numbers);
+  }
+  return kept;
+}
+
+/// Space for numbers, held by each thread.
+std::vector<int>& scratch(std::size_t size) {
+  thread_local std::vector<int> numbers;
+  if (numbers.size() < size) numbers.resize(size);
+  return numbers;
+}
+
+std::size_t padded(std::size_t count) { return (count + together - 1) / together * together; }
 
 /// The bits of a 10-bit number, two zeros between neighbours.
 std::uint32_t spread(std::uint32_t v) {
@@ -86,66 +158,70 @@ LightReach::LightReach(std::span<const LightRecord> lights, std::span<const int,
       add(k, {sign * place[0], sign * place[1], sign * place[2], directional ? 0.0f : 1.0f, directional ? infinity : r.reach * r.reach,
               r.direction[0], r.direction[1], r.direction[2], spot ? outer : 0.0f, spot ? std::sqrt(std::max(0.0f, 1 - outer * outer)) : 0.0f});
     }
+  pad();
 }
 
 void LightReach::add(int light, const Values& values) {
   light_.push_back(light);
+  ++count_;
   for (int f = 0; f < fields; ++f) values_[std::size_t(f)].push_back(values[std::size_t(f)]);
   any_bounded_ |= values[range2] < infinity;
   any_cone_ |= values[cosine] != 0;
 }
 
-void LightReach::pick(const std::vector<int>& places, LightReach& kept) const {
+/// Lights of the padding reach nothing.
+void LightReach::disarm_padding() { std::fill(values_[range2].begin() + std::ptrdiff_t(size()), values_[range2].end(), -1.0f); }
+
+void LightReach::pad() {
+  light_.resize(padded(size()));
+  for (std::vector<float>& values : values_) values.resize(padded(size()));
+  disarm_padding();
+}
+
+float LightReach::median_reach() const {
+  std::vector<float> bounded;
+  std::copy_if(values_[range2].begin(), values_[range2].begin() + std::ptrdiff_t(size()), std::back_inserter(bounded),
+               [](float r) { return r < infinity; });
+  if (bounded.empty()) return infinity;
+  const auto middle = bounded.begin() + std::ptrdiff_t(bounded.size() / 2);
+  std::nth_element(bounded.begin(), middle, bounded.end());
+  return std::sqrt(*middle);
+}
+
+void LightReach::pick(std::span<const int> places, LightReach& kept) const {
   kept.any_bounded_ = any_bounded_, kept.any_cone_ = any_cone_;
+  kept.count_ = places.size();
   const auto pick_values = [&](const auto& from, auto& to) {
-    to.resize(places.size());
+    to.resize(padded(places.size()));
     for (std::size_t i = 0; i < places.size(); ++i) to[i] = from[std::size_t(places[i])];
   };
   pick_values(light_, kept.light_);
   for (std::size_t f = 0; f < std::size_t(any_cone_ ? fields : axis_x); ++f) pick_values(values_[f], kept.values_[f]);
+  kept.disarm_padding();
 }
 
-void LightReach::mark_near(const PixelBounds& bounds, std::size_t first, std::size_t count, std::vector<int>& marks) const {
-  const auto at = [&](int field) { return values_[std::size_t(field)].data() + first; };
-  marks.resize(count);
-  near_spheres(at(x), at(y), at(z), at(range2), bounds, int(count), marks.data());
-  if (!any_cone_) return;
-  const Sphere s = around(bounds);
-  near_cones(at(x), at(y), at(z), at(axis_x), at(axis_y), at(axis_z), at(cosine), at(sine), s.centre, s.radius, int(count), marks.data());
+LightReach::Columns LightReach::columns() const {
+  const auto at = [&](int field) { return values_[std::size_t(field)].data(); };
+  return {at(x), at(y), at(z), at(w), at(range2), at(axis_x), at(axis_y), at(axis_z), at(cosine), at(sine), any_cone_};
 }
 
 void LightReach::near(const PixelBounds& bounds, LightReach& kept) const {
-  thread_local std::vector<int> marks, places;
-  mark_near(bounds, 0, size(), marks);
-  places.resize(size());
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < size(); ++i) {
-    places[count] = int(i);
-    count += std::size_t(marks[i]);
-  }
-  places.resize(count);
-  pick(places, kept);
+  std::vector<int>& places = scratch(padded(size()));
+  const int count = find_near(columns(), 0, int(size()), bounds, places.data());
+  pick({places.data(), std::size_t(count)}, kept);
 }
 
-void LightReach::add_lighting(const PixelBounds& bounds, std::vector<int>& numbers) const {
-  const auto at = [&](int field) { return values_[std::size_t(field)].data(); };
-  thread_local std::vector<int> marks;
-  mark_near(bounds, 0, size(), marks);
-  in_front(at(x), at(y), at(z), at(w), bounds, around(bounds).extent, int(size()), marks.data());
-  std::size_t kept = numbers.size();
-  numbers.resize(kept + size());
-  for (std::size_t i = 0; i < size(); ++i) {
-    numbers[kept] = light_[i];
-    kept += std::size_t(marks[i]);
-  }
-  numbers.resize(kept);
+void LightReach::add_lighting(std::span<const PixelBounds> parts, std::vector<int>& numbers) const {
+  std::vector<int>& found = scratch(padded(size()));
+  const int count = find_lighting(columns(), int(size()), parts.data(), int(parts.size()), light_.data(), found.data());
+  numbers.insert(numbers.end(), found.begin(), found.begin() + count);
 }
 
 /// Along Morton's curve (1966); lights that nothing bounds first, so that they spoil no neighbour's sphere.
 LightReach LightReach::in_space_order() const {
   float low[3], high[3];
   for (std::size_t c = 0; c < 3; ++c) {
-    const auto [least, most] = std::minmax_element(values_[c].begin(), values_[c].end());
+    const auto [least, most] = std::minmax_element(values_[c].begin(), values_[c].begin() + std::ptrdiff_t(size()));
     low[c] = size() ? *least : 0, high[c] = size() ? *most : 0;
   }
   std::vector<std::pair<std::uint32_t, int>> order(size());
@@ -162,6 +238,11 @@ LightReach LightReach::in_space_order() const {
   std::transform(order.begin(), order.end(), places.begin(), [](const auto& entry) { return entry.second; });
   LightReach ordered;
   pick(places, ordered);
+  for (std::size_t i = 0; i < size(); ++i) {
+    const std::size_t number = std::size_t(ordered.light_[i]);
+    if (ordered.place_of_.size() <= number) ordered.place_of_.resize(number + 1);
+    ordered.place_of_[number] = int(i);
+  }
   return ordered;
 }
 
@@ -179,21 +260,31 @@ LightReach LightReach::spheres_around(int count) const {
     const float reach = s.radius + std::sqrt(farthest);
     spheres.add(int(first) / count, {s.centre[0], s.centre[1], s.centre[2], 1, reach * reach * (1 + margin)});
   }
+  spheres.pad();
   return spheres;
 }
 
 void LightReach::members_near(const PixelBounds& bounds, const LightReach& spheres, int count, LightReach& kept) const {
-  thread_local std::vector<int> marks, places;
-  places.clear();
-  spheres.near(bounds, kept);
-  for (const int sphere : kept.light_) {
-    const std::size_t first = std::size_t(sphere) * std::size_t(count), members = std::min(std::size_t(count), size() - first);
-    mark_near(bounds, first, members, marks);
-    for (std::size_t i = 0; i < members; ++i)
-      if (marks[i]) places.push_back(int(first + i));
+  thread_local std::vector<int> near_spheres, places;
+  thread_local std::vector<std::uint64_t> is_near;  // a bit for each light, by number: all 0 between calls
+  near_spheres.resize(padded(spheres.size()));
+  const int near_count = find_near(spheres.columns(), 0, int(spheres.size()), bounds, near_spheres.data());
+  places.resize(std::size_t(near_count * count));
+  int found = 0;
+  for (int k = 0; k < near_count; ++k) {
+    const int first = near_spheres[std::size_t(k)] * count, last = std::min(first + count, int(size()));
+    found += find_near(columns(), first, last, bounds, places.data() + found);
   }
-  std::sort(places.begin(), places.end(), [&](int a, int b) { return light_[std::size_t(a)] < light_[std::size_t(b)]; });
-  pick(places, kept);
+  is_near.resize(std::max(is_near.size(), place_of_.size() / 64 + 1));
+  for (int k = 0; k < found; ++k) {
+    const unsigned number = unsigned(light_[std::size_t(places[std::size_t(k)])]);
+    is_near[number / 64] |= std::uint64_t(1) << number % 64;
+  }
+  found = 0;
+  for (std::size_t word = 0; word <= place_of_.size() / 64; ++word)
+    for (; is_near[word]; is_near[word] &= is_near[word] - 1)
+      places[std::size_t(found++)] = place_of_[64 * word + std::size_t(std::countr_zero(is_near[word]))];
+  pick({places.data(), std::size_t(found)}, kept);
 }
 
 }  // namespace relume

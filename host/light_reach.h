@@ -19,37 +19,47 @@ class LightReach {
   /// But those of `others`, ascending numbers.
   LightReach(std::span<const LightRecord> lights, std::span<const int, LIGHT_COUNT + 1> begin, std::span<const int> others);
 
-  std::size_t size() const { return light_.size(); }
+  std::size_t size() const { return count_; }
   /// Whether distance can put a light out of reach.
   bool any_bounded() const { return any_bounded_; }
+  /// Half of the lights that have one have a longer reach; infinity where none has.
+  float median_reach() const;
 
   /// Those that may reach a position within the bounds, whichever way the surface there faces. `kept` is overwritten, its memory used again:
   /// thousands of tiles ask.
   void near(const PixelBounds& bounds, LightReach& kept) const;
-  /// The numbers of those that may light some pixel of the bounds, ascending, added to `numbers`.
-  void add_lighting(const PixelBounds& bounds, std::vector<int>& numbers) const;
+  /// The numbers of those that may light some pixel of one of the parts, in the lights' order, added to `numbers`.
+  void add_lighting(std::span<const PixelBounds> parts, std::vector<int>& numbers) const;
   /// All numbers, added.
-  void add_numbers(std::vector<int>& numbers) const { numbers.insert(numbers.end(), light_.begin(), light_.end()); }
+  void add_numbers(std::vector<int>& numbers) const { numbers.insert(numbers.end(), light_.data(), light_.data() + count_); }
 
   /// The same lights in an order that keeps neighbours together.
   LightReach in_space_order() const;
-  /// Spheres around each `count` lights that follow one another.
+  /// Spheres around each `count` lights that follow one another. `count`: a multiple of `together`.
   LightReach spheres_around(int count) const;
-  /// Of the lights `count` of which each of `spheres` holds, those near, by number.
+  /// Of lights in space order, `count` of which each of `spheres` holds, those near, by number.
   void members_near(const PixelBounds& bounds, const LightReach& spheres, int count, LightReach& kept) const;
+
+  /// Lights are tested by as many.
+  static constexpr int together = 16;
+  struct Columns;
 
  private:
   enum { x, y, z, w, range2, axis_x, axis_y, axis_z, cosine, sine, fields };  // w: 0 for a directional light, whose x, y, z is the way to it
   using Values = std::array<float, fields>;
 
   void add(int light, const Values& values);
-  void pick(const std::vector<int>& places, LightReach& kept) const;
-  /// 1 for those of [first, first + count) that may reach the bounds.
-  void mark_near(const PixelBounds& bounds, std::size_t first, std::size_t count, std::vector<int>& marks) const;
+  void pick(std::span<const int> places, LightReach& kept) const;
+  /// Fills the arrays up with lights that reach nothing, to a multiple of `together`.
+  void pad();
+  void disarm_padding();
+  Columns columns() const;
 
-  std::vector<int> light_;                         ///< record numbers
+  std::size_t count_ = 0;
+  std::vector<int> light_;                         ///< record numbers; this and the values are padded
   std::array<std::vector<float>, fields> values_;  ///< range2: squared, with a margin for rounding; infinity where nothing is out of range
   bool any_bounded_ = false, any_cone_ = false;
+  std::vector<int> place_of_;  ///< of each light, by number, once they are in space order
 };
 
 }  // namespace relume

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 #include "gbuffer/error.h"
 #include "host/band_frame.h"
@@ -25,7 +26,7 @@ LiveFrame::LiveFrame(Device& device, GBuffer gbuffer, const Binding& binding, co
   tbb::parallel_for(std::size_t(0), rows.size(), [&](std::size_t row) {
     const int y = int(row) * PixelCells::cell_rows;
     for (int column = 0; column < pixels.columns(); ++column)
-      if (const PixelBounds bounds = pixels.bounds_of_cell(y, column); !is_empty(bounds))
+      if (PixelBounds bounds; pixels.bound(y, column, std::numeric_limits<float>::infinity(), &bounds))
         rows[row].emplace_back(pixels.blocks_of_cell(y, column), bounds);
   });
   for (auto& row : rows) cells_.insert(cells_.end(), std::make_move_iterator(row.begin()), std::make_move_iterator(row.end()));
@@ -82,9 +83,9 @@ std::vector<int> LiveFrame::lists_of(const LightRecords& before, const LightReco
     thread_local std::vector<int> found;
     for (std::size_t k = range.begin(); k < range.end(); ++k) {
       found.clear();
-      reach_now.add_lighting(cells_[k].second, found);
+      reach_now.add_lighting({&cells_[k].second, 1}, found);
       const bool lit = !found.empty();
-      reach_before.add_lighting(cells_[k].second, found);
+      reach_before.add_lighting({&cells_[k].second, 1}, found);
       reached[k] = lit ? 2 : !found.empty();
     }
   });

@@ -29,15 +29,10 @@ void include_positions(PixelBounds& bounds, const PixelBounds& other) {
 PixelCells::PixelCells(const Planes& planes, const Frame& frame, int width)
     : planes_(planes),
       frame_(frame),
-      width_(width),
       blocks_((frame.pixels + block - 1) / block),
       rows_((frame.pixels + width - 1) / width),
-      columns_((width + block - 1) / block) {}
-
-int PixelCells::block_at(int y, int column) const {
-  const auto first_of_row = [&](int row) { return std::min<std::int64_t>((std::int64_t(row) * width_ + block - 1) / block, blocks_); };
-  const std::int64_t number = first_of_row(y) + column;
-  return y < rows_ && number < first_of_row(y + 1) ? int(number) : -1;
+      columns_((width + block - 1) / block) {
+  for (std::int64_t row = 0; row <= rows_; ++row) first_of_row_.push_back(int(std::min<std::int64_t>((row * width + block - 1) / block, blocks_)));
 }
 
 std::vector<int> PixelCells::blocks_of_cell(int y, int column) const {
@@ -52,19 +47,10 @@ int PixelCells::find_blocks(int y, int column, int* blocks) const {
   return count;
 }
 
-PixelBounds PixelCells::bounds_of_cell(int y, int column) const {
+int PixelCells::bound(int y, int column, float widest, PixelBounds* parts) const {
   int blocks[cell_rows];
   const int count = find_blocks(y, column, blocks);
-  PixelBounds bounds = no_bounds();
-  const float* const program = planes_.plane(frame_.program_plane);
-  for (int k = 0; k < count; ++k)
-    for (int i = blocks[k] * block, last = std::min(i + block, frame_.pixels); i < last; ++i) {
-      if (program[i] < 0) continue;
-      for (int c = 0; c < 3; ++c) bounds.reference[c] = planes_.plane(frame_.position + c)[i];
-      bound_cell(planes_.data(), frame_, blocks, count, bounds);
-      return bounds;
-    }
-  return bounds;
+  return bound_cell(planes_.data(), frame_, blocks, count, widest, parts);
 }
 
 }  // namespace relume

@@ -17,7 +17,7 @@ void include_positions(PixelBounds& bounds, const PixelBounds& other);
 /// of blocks, tiles four cells, super-tiles sixteen tiles (64 x 64 pixels). A row's last block may reach into the next row: no pixel is in two.
 class PixelCells {
  public:
-  static constexpr int block = RELUME_LISTED_PIXELS, cell_rows = 4, tile_rows = 16, super_rows = 64, super_columns = 4;
+  static constexpr int block = RELUME_LISTED_PIXELS, cell_rows = RELUME_CELL_PIXELS / block, tile_rows = 16, super_rows = 64, super_columns = 4;
 
   PixelCells(const Planes& planes, const Frame& frame, int width);
 
@@ -27,13 +27,18 @@ class PixelCells {
   int super_tiles_across() const { return (columns_ + super_columns - 1) / super_columns; }
   int super_tiles_down() const { return (rows_ + super_rows - 1) / super_rows; }
   /// Blocks whose first pixel lies in row y, at this column: its number, or -1.
-  int block_at(int y, int column) const;
+  int block_at(int y, int column) const {
+    if (y >= rows_) return -1;
+    const int number = first_of_row_[std::size_t(y)] + column;
+    return number < first_of_row_[std::size_t(y) + 1] ? number : -1;
+  }
   int columns() const { return columns_; }
   int cells_down() const { return (rows_ + cell_rows - 1) / cell_rows; }
   /// The numbers of the blocks of the cell whose first row is y.
   std::vector<int> blocks_of_cell(int y, int column) const;
-  /// Of the cell whose first row is y: all its pixels that show a surface.
-  PixelBounds bounds_of_cell(int y, int column) const;
+  /// Of the pixels that show a surface in the cell whose first row is y: in up to RELUME_CELL_PARTS parts, where sides are longer than `widest`.
+  /// Returns how many parts there are.
+  int bound(int y, int column, float widest, PixelBounds* parts) const;
 
  private:
   /// How many the cell has, at most cell_rows.
@@ -41,7 +46,8 @@ class PixelCells {
 
   const Planes& planes_;
   const Frame& frame_;
-  int width_, blocks_, rows_, columns_;
+  int blocks_, rows_, columns_;
+  std::vector<int> first_of_row_;  ///< block, and behind the last row where it ends
 };
 
 }  // namespace relume

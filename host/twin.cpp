@@ -13,14 +13,14 @@
 namespace relume {
 
 using RunRange = void (*)(const Choice&, const float*, const Frame&, const LightRecord*, const int*, const float*, float*, int, int);
-using BoundCell = void (*)(const float*, const Frame&, const int*, int, PixelBounds&);
+using BoundCell = int (*)(const float*, const Frame&, const int*, int, float, PixelBounds*);
 
 #define RELUME_TWIN_RANGE(name) \
   void name##_range(const Choice&, const float*, const Frame&, const LightRecord*, const int*, const float*, float*, int, int);
 #define RELUME_TWIN(lanes)                                                    \
   namespace lanes {                                                           \
   RELUME_ENTRIES(RELUME_TWIN_RANGE)                                           \
-  void bound_cell(const float*, const Frame&, const int*, int, PixelBounds&); \
+  int bound_cell(const float*, const Frame&, const int*, int, float, PixelBounds*); \
   }
 RELUME_TWIN(lanes1)
 RELUME_TWIN(lanes4)
@@ -124,14 +124,14 @@ std::vector<int> twin_lanes() {
   return lanes;
 }
 
-void bound_cell(const float* planes, const Frame& frame, const int* blocks, int count, PixelBounds& bounds) {
-  static const BoundCell widest = [] {
+int bound_cell(const float* planes, const Frame& frame, const int* blocks, int count, float widest, PixelBounds* parts) {
+  static const BoundCell bound = [] {
     BoundCell found = nullptr;
     for (const Compilation& c : compilations())
       if (c.runs_here) found = c.bound;
     return found;
   }();
-  widest(planes, frame, blocks, count, bounds);
+  return bound(planes, frame, blocks, count, widest, parts);
 }
 
 std::unique_ptr<Device> open_twin(int lanes) {

@@ -31,8 +31,8 @@ namespace RELUME_TWIN_JOIN(lanes, RELUME_LANES) {
 #undef RELUME_RANGE
 
   /// See kernels/bounds.h.
-  void bound_cell(const float* planes, const Frame& frame, const int* blocks, int count, PixelBounds& bounds) {
-    bound_blocks(planes, &frame, blocks, count, &bounds);
+  int bound_cell(const float* planes, const Frame& frame, const int* blocks, int count, float widest, PixelBounds* parts) {
+    return bound_parts(planes, &frame, blocks, count, widest, parts);
   }
 }  // namespace )
 }  // namespace relume

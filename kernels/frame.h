@@ -36,6 +36,10 @@ typedef struct {
   int component_step;  // floats from a component to the next
 } Field;
 
+/// Pixels of a cell, for which lights are listed together, and the most parts that it is bounded in.
+#define RELUME_CELL_PIXELS 64
+#define RELUME_CELL_PARTS 4
+
 /// Of some pixels that show a surface: positions within a box, normals within another. Nothing where low > high.
 typedef struct {
   float low[3], high[3];                // positions, world

@@ -84,19 +84,40 @@ RELUME_FN float least_of(real x) {
   return min(two.x, two.y);
 #endif
 }
-/// 1 where the mask holds in any lane, else 0. By halves rather than by any(), which PoCL turns into a branch for each lane.
+// Clang's built-in functions make one instruction of what OpenCL C has no word for; most drivers are made of clang.
+#ifdef __has_builtin
+#if __has_builtin(__builtin_reduce_or)
+#define RELUME_REDUCES
+#endif
+#if __has_builtin(__builtin_nontemporal_store)
+#define RELUME_STORES_PAST_CACHE
+#endif
+#endif
+/// A hint: what lies at p is read soon.
+RELUME_FN void fetch_soon(RELUME_GLOBAL const float* p) { prefetch(p, 1); }
+/// The same as store(), of what is not read again soon: without a cache line that is fetched to be overwritten.
+RELUME_FN void store_past_cache(real x, RELUME_GLOBAL float* p) {
+#if defined(RELUME_STORES_PAST_CACHE) && RELUME_LANES > 1
+  __builtin_nontemporal_store(x, (RELUME_GLOBAL real*)p);
+#else
+  store(x, p);
+#endif
+}
+/// 1 where the mask holds in any lane, else 0. Never by any(), which PoCL turns into a branch for each lane.
 RELUME_FN int any_of(mask m) {
+#if RELUME_LANES == 1
+  return m;
+#elif defined(RELUME_REDUCES)
+  return __builtin_reduce_or(m) != 0;
+#else
 #if RELUME_LANES == 16
   const int8 eight = m.lo | m.hi;
   const int4 four = eight.lo | eight.hi;
 #elif RELUME_LANES == 8
   const int4 four = m.lo | m.hi;
-#elif RELUME_LANES == 4
+#else
   const int4 four = m;
 #endif
-#if RELUME_LANES == 1
-  return m;
-#else
   const int2 two = four.lo | four.hi;
   return (two.x | two.y) != 0;
 #endif

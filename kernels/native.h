@@ -22,7 +22,9 @@ RELUME_FN real load(const float* p) {
   __builtin_memcpy(&x, p, sizeof x);
   return x;
 }
+RELUME_FN void fetch_soon(const float* p) { __builtin_prefetch(p); }
 RELUME_FN void store(real x, float* p) { __builtin_memcpy(p, &x, sizeof x); }
+RELUME_FN void store_past_cache(real x, float* p) { store(x, p); }
 
 #if RELUME_LANES == 1
 RELUME_FN real all_lanes(float x) { return x; }

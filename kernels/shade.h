@@ -45,16 +45,13 @@ RELUME_FN Radiance with_light(Radiance sum, Choice choice, RELUME_GLOBAL const L
   return sum;
 }
 
-/// Whether a light may reach any lane: false only where it certainly does not. Cheap, for the lights of a list, of which many do not.
-RELUME_FN int may_reach(RELUME_GLOBAL const Frame* frame, RELUME_GLOBAL const LightRecord* light, int k, Surface s) {
-  if (k < frame->light_begin[LIGHT_directional + 1]) return 1;
-  const real3 to_light = real3_of(light->position[0] - s.position.x, light->position[1] - s.position.y, light->position[2] - s.position.z);
-  const mask near = dot3(to_light, to_light)<light->reach * light->reach, in_front = dot3(s.n, to_light)> - 1e-4f * light->reach;
-  return any_of(near & in_front);
-}
-
-/// Lights that are met before any is reflected.
+/// Lights that are met before any is reflected. One where a work-item has one pixel: devices of that kind hide what an operation takes behind other
+/// work-items, and have no fast memory for arrays.
+#if defined(RELUME_OPENCL) && RELUME_LANES == 1
+#define RELUME_BATCH 1
+#else
 #define RELUME_BATCH 16
+#endif
 
 #define RELUME_DECLARE_BATCH(member) real batch_##member[RELUME_BATCH];
 #define RELUME_PUT_INTO_BATCH(member) batch_##member[arrivals] = c.member;
@@ -62,29 +59,29 @@ RELUME_FN int may_reach(RELUME_GLOBAL const Frame* frame, RELUME_GLOBAL const Li
 
 /// `sum` with the lights of the pixels' list, or with all. They come in batches, through short loops one after the other: a processor has some 200
 /// vector instructions under way at a time, which one loop over everything would fill with a light or two, whose operations wait for each other.
-/// And what reaches no lane is left out without a branch that could be mispredicted. Each member of the cosines has its own array, so that one
-/// which no lobe reads is dropped.
+/// For the same reason a light's direction is worked out while the one before it is met. What reaches no lane is left out without a branch that could
+/// be mispredicted. Each member of the cosines has its own array, so that one which no lobe reads is dropped.
 RELUME_FN Radiance direct_light(Choice choice, RELUME_GLOBAL const Frame* frame, RELUME_GLOBAL const LightRecord* lights,
                                 RELUME_GLOBAL const int* lists, Surface s, Seen seen, Radiance sum, int i) {
   const int listed = frame->lists > 0;
   RELUME_GLOBAL const int* own = lists + (listed ? frame->lists + 2 * (i / RELUME_LISTED_PIXELS) : 0);
   const int end = listed ? own[1] : frame->light_begin[LIGHT_COUNT];
   int next = listed ? own[0] : frame->light_begin[0];
-  int met[RELUME_BATCH], from[RELUME_BATCH];
+  if (next >= end) return sum;
+  int from[RELUME_BATCH], light = listed ? lists[next] : next;
   real share[RELUME_BATCH];
   RELUME_COSINES(RELUME_DECLARE_BATCH)
+  Incident coming = incident_from(frame, lights, light, s.position);
   while (next < end) {
-    int meetings = 0, arrivals = 0;
-    for (; next < end && meetings < RELUME_BATCH; ++next) {
-      met[meetings] = listed ? lists[next] : next;
-      meetings += listed ? may_reach(frame, lights + met[meetings], met[meetings], s) : 1;
-    }
-    for (int k = 0; k < meetings; ++k) {
-      const Incident in = incident_from(frame, lights, met[k], s.position);
+    int arrivals = 0;
+    for (; next < end && arrivals < RELUME_BATCH; ++next) {
+      const Incident in = coming;
+      from[arrivals] = light;
+      if (next + 1 < end) light = listed ? lists[next + 1] : next + 1;
+      coming = incident_from(frame, lights, light, s.position);  // the last one once more: a branch would cost more
       const Cosines c = cosines_of(s.n, in.l, s.v);
       RELUME_COSINES(RELUME_PUT_INTO_BATCH)
       share[arrivals] = facing_share(in, c, s, frame->bump_shadowing);
-      from[arrivals] = met[k];
       arrivals += any_of(share[arrivals] > 0.0f);
     }
     for (int k = 0; k < arrivals; ++k) {

@@ -50,8 +50,8 @@ TEST(Operations, OfDirectionalLightNeedNoDistance) {
 TEST(Operations, OfPixelsAreTheirPlanes) {
   const Operations pixel = cost_of(ground("lambert+none")).pixel;
   EXPECT_EQ(pixel.stores, 3);
-  // position, normal, albedo, program, and the output that other programs' pixels keep
-  EXPECT_EQ(pixel.loads, 3 + 3 + 3 + 1 + 3);
+  // position, normal, albedo, program; not the output, of which nothing is another program's
+  EXPECT_EQ(pixel.loads, 3 + 3 + 3 + 1);
 }
 
 TEST(Operations, GrowWithTheLobe) {

@@ -66,6 +66,7 @@ RELUME_FN real all_lanes(float x) { return x; }
 RELUME_FN int any_of(mask m) { return m; }
 RELUME_FN real load(const float* p) { return *p; }
 RELUME_FN void store(real x, float* p) { *p = x.value; }
+RELUME_FN void store_past_cache(real x, float* p) { store(x, p); }
 RELUME_FN real gather(const float* table, integer index) { return table[index]; }
 
 namespace {
