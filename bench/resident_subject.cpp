@@ -59,11 +59,12 @@ Subject listed_subject(const std::string& name, const std::shared_ptr<const Resi
   const auto out = std::make_shared<Planes>(frame->make_out());
   const int threads = std::clamp(roof.threads, 1, int(std::max(1u, std::thread::hardware_concurrency())));
   const auto arena = std::make_shared<tbb::task_arena>(threads);  // lists are made on as many threads as the device has
+  const auto lists = std::make_shared<LightLists>();
   const auto shade = [=] {
-    LightLists lists;
+    lists->clear();
     Frame listed = frame->frame();
-    listed.lists = frame->list_lights(lists);
-    const auto band = device->bind(frame->data(*out, lists.numbers()));
+    listed.lists = frame->list_lights(*lists);
+    const auto band = device->bind(frame->data(*out, lists->numbers()));
     band->shade(frame->choice(), listed, {});
     band->finish();
   };

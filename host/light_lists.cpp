@@ -10,25 +10,33 @@
 #include "host/cell_bounds.h"
 
 namespace relume {
+
+/// What some blocks share.
+struct LightLists::List {
+  int y, column, rows, columns;  ///< the blocks that it is for
+  int begin, end;                ///< in Listed::numbers
+};
+
+/// Of one super-tile.
+struct LightLists::Listed {
+  std::vector<List> lists;
+  std::vector<int> numbers;
+};
+
 namespace {
 
 /// With fewer lights than these the bounds cost more than the lights.
 constexpr int too_few = 8;
+/// Near a super-tile: as many are asked for each cell faster than for each tile first.
+constexpr std::size_t few = 200;
 
 constexpr int cells = PixelCells::tile_rows / PixelCells::cell_rows;  // in a tile, one above the other
 
 /// Pixels that share a list.
 enum class Sharing { cell, tile, super_tile };
 
-struct List {
-  int y, column, rows, columns;  ///< the blocks that it is for
-  int begin, end;                ///< in Listed::numbers
-};
-
-struct Listed {
-  std::vector<List> lists;
-  std::vector<int> numbers;
-};
+using List = LightLists::List;
+using Listed = LightLists::Listed;
 
 /// What is listed of one super-tile.
 class SuperTile {
@@ -51,12 +59,14 @@ class SuperTile {
     if (sharing == Sharing::super_tile) return add(listed, {y_, first_column_, PixelCells::super_rows, PixelCells::super_columns, 0, 0}, near, {});
     for_tiles([&](const PixelBounds& tile, int row, int end, int column) {
       if (is_empty(tile)) return;
-      near.near(tile, nearer);
-      if (sharing == Sharing::tile) return add(listed, {row * PixelCells::cell_rows, column, PixelCells::tile_rows, 1, 0, 0}, nearer, {});
+      const bool narrow = sharing == Sharing::tile || near.size() > few;
+      if (narrow) near.near(tile, nearer);
+      const LightReach& of_tile = narrow ? nearer : near;
+      if (sharing == Sharing::tile) return add(listed, {row * PixelCells::cell_rows, column, PixelCells::tile_rows, 1, 0, 0}, of_tile, {});
       for (; row < end; ++row) {
         const std::span<const PixelBounds> cell = bounds_.of(row, column);
         if (cell.empty()) continue;
-        add(listed, {row * PixelCells::cell_rows, column, PixelCells::cell_rows, 1, 0, 0}, nearer, cell);
+        add(listed, {row * PixelCells::cell_rows, column, PixelCells::cell_rows, 1, 0, 0}, of_tile, cell);
         if (cuts) add_cut(*cuts, listed);
       }
     });
@@ -116,25 +126,6 @@ void place(const PixelCells& pixels, const Listed& listed, int* blocks, int* num
       }
 }
 
-/// Behind the `count` numbers: for each block where its list begins and ends, then the lists. Returns where that starts.
-int append(const PixelCells& pixels, const std::vector<Listed>& listed, std::unique_ptr<int[]>& numbers, std::size_t& count) {
-  const std::size_t start = count, blocks = 2 * std::size_t(pixels.blocks());
-  std::vector<int> offsets;
-  std::size_t size = start + blocks;
-  for (const Listed& super_tile : listed) {
-    offsets.push_back(int(size));
-    size += super_tile.numbers.size();
-  }
-  // Megabytes that many threads write for the first time: nothing is cleared or moved before.
-  std::unique_ptr<int[]> all = std::make_unique_for_overwrite<int[]>(size);
-  std::copy(numbers.get(), numbers.get() + start, all.get());
-  std::fill_n(all.get() + start, blocks, 0);
-  tbb::parallel_for(std::size_t(0), listed.size(), [&](std::size_t t) { place(pixels, listed[t], all.get() + start, all.get(), offsets[t]); });
-  numbers = std::move(all);
-  count = size;
-  return int(start);
-}
-
 /// Without those of the tree, whose numbers come cluster by cluster.
 LightReach reach_without(std::span<const LightRecord> lights, std::span<const int, LIGHT_COUNT + 1> begin, const LightTree& tree) {
   std::vector<int> others(tree.order().begin(), tree.order().end());
@@ -146,6 +137,28 @@ LightReach reach_without(std::span<const LightRecord> lights, std::span<const in
 
 SortedLights::SortedLights(std::span<const LightRecord> lights, std::span<const int, LIGHT_COUNT + 1> begin, const LightTree& tree)
     : reach(reach_without(lights, begin, tree)), spheres(reach.spheres_around(clustered)), widest_box(0.5f * reach.median_reach()) {}
+
+/// Behind what there is: for each block where its list begins and ends, then the lists. Returns where that starts.
+int LightLists::append(const PixelCells& pixels, const std::vector<Listed>& listed) {
+  const std::size_t start = size_, blocks = 2 * std::size_t(pixels.blocks());
+  std::vector<int> offsets;
+  size_ += blocks;
+  for (const Listed& super_tile : listed) {
+    offsets.push_back(int(size_));
+    size_ += super_tile.numbers.size();
+  }
+  if (size_ > capacity_) {
+    // Megabytes that many threads write for the first time: nothing is cleared or moved before.
+    std::unique_ptr<int[]> all = std::make_unique_for_overwrite<int[]>(size_);
+    std::copy(numbers_.get(), numbers_.get() + start, all.get());
+    numbers_ = std::move(all);
+    capacity_ = size_;
+  }
+  int* const numbers = numbers_.get();
+  std::fill_n(numbers + start, blocks, 0);
+  tbb::parallel_for(std::size_t(0), listed.size(), [&](std::size_t t) { place(pixels, listed[t], numbers + start, numbers, offsets[t]); });
+  return int(start);
+}
 
 int LightLists::add(const Planes& planes, const Frame& frame, int width, const SortedLights& lights, std::size_t most) {
   if (!lights.reach.any_bounded() || lights.reach.size() < too_few) return 0;
@@ -168,7 +181,7 @@ int LightLists::add_lists(const Planes& planes, const Frame& frame, int width, c
       SuperTile(pixels, bounds, t).list(lights, sharing, cuts, listed[std::size_t(t)]);
       total += listed[std::size_t(t)].numbers.size();
     });
-    if (total <= most) return append(pixels, listed, numbers_, size_);
+    if (total <= most) return append(pixels, listed);
     if (cuts) return 0;
   }
   return 0;

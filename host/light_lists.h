@@ -34,6 +34,9 @@ struct SortedLights {
 
 class LightLists {
  public:
+  struct List;
+  struct Listed;
+
   /// Nothing is listed: every light is met by every pixel.
   LightLists() = default;
 
@@ -42,6 +45,9 @@ class LightLists {
   int add(const Planes& planes, const Frame& frame, int width, const SortedLights& lights, std::size_t most);
   /// With cuts through a light tree, tile by tile, behind the lights that are listed. Where they do not fit, 0: every light is met.
   int add(const Planes& planes, const Frame& frame, int width, const SortedLights& lights, const LightCuts& cuts, std::size_t most);
+
+  /// Nothing is listed any more; the memory stays, for the lights of another moment.
+  void clear() { size_ = 1; }
 
   /// Numbers that may be kept beside these planes: a quarter of the memory that they take.
   static std::size_t room_beside(const Planes& planes) { return planes.bytes() / sizeof(int) / 4; }
@@ -53,10 +59,11 @@ class LightLists {
   std::span<const int> numbers() const { return {numbers_.get(), size_}; }
 
  private:
+  int append(const PixelCells& pixels, const std::vector<Listed>& listed);
   int add_lists(const Planes& planes, const Frame& frame, int width, const SortedLights& lights, const LightCuts* cuts, std::size_t most);
 
   std::unique_ptr<int[]> numbers_ = std::make_unique<int[]>(1);  // a Frame whose `lists` is 0 has none
-  std::size_t size_ = 1;
+  std::size_t capacity_ = 1, size_ = 1;
 };
 
 /// How many lights a pixel of the frame meets in the mean, at least one: what a launch's work is reckoned by.

@@ -1,4 +1,4 @@
-// LightReach: spheres, cones and half-spaces against boxes, with margins that rounding cannot cross.
+// LightReach: lights in order, and what is kept of them.
 #include "host/light_reach.h"
 
 #include <algorithm>
@@ -9,124 +9,13 @@
 #include <limits>
 #include <utility>
 
-// The loops over lights are compiled for each width of vector, and chosen when the program starts.
-#if defined(__x86_64__)
-#define RELUME_WIDE __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define RELUME_WIDE
-#endif
+#include "host/culling.h"
 
 namespace relume {
 namespace {
 
-/// The kernels compute squared distances and cosines within some 4e-7 of themselves; this is a wide berth.
-constexpr float margin = 1e-4f;
 constexpr float infinity = std::numeric_limits<float>::infinity();
-
-constexpr int together = LightReach::together;
-
-}  // namespace
-
-struct LightReach::Columns {
-  const float *x, *y, *z, *w, *range2, *axis_x, *axis_y, *axis_z, *cosine, *sine;
-  bool any_cone;
-};
-
-namespace {
-
-using Lights = LightReach::Columns;
-
-struct Sphere {
-  float centre[3], extent, radius;  ///< extent: the sum of the box's sides
-};
-
-Sphere around(const PixelBounds& b) {
-  Sphere s{{0.5f * (b.low[0] + b.high[0]), 0.5f * (b.low[1] + b.high[1]), 0.5f * (b.low[2] + b.high[2])}, 0, 0};
-  for (int c = 0; c < 3; ++c) s.extent += b.high[c] - b.low[c], s.radius += (b.high[c] - b.low[c]) * (b.high[c] - b.low[c]);
-  s.radius = 0.5f * std::sqrt(s.radius);
-  return s;
-}
-
-// Each of the next three looks at `together` lights.
-
-inline void mark_near(const Lights& l, int first, const PixelBounds& b, int* mark) {
-  for (int k = 0, i = first; k < together; ++k, ++i) {
-    const float dx = std::max(std::max(b.low[0] - l.x[i], l.x[i] - b.high[0]), 0.0f);
-    const float dy = std::max(std::max(b.low[1] - l.y[i], l.y[i] - b.high[1]), 0.0f);
-    const float dz = std::max(std::max(b.low[2] - l.z[i], l.z[i] - b.high[2]), 0.0f);
-    mark[k] = dx * dx + dy * dy + dz * dz > l.range2[i] ? 0 : 1;
-  }
-}
-
-/// Unmarks cones that pass the sphere by: the distance from a cone's side is cos(outer) across - sin(outer) along.
-inline void unmark_cones(const Lights& l, int first, const Sphere& s, int* mark) {
-  for (int k = 0, i = first; k < together; ++k, ++i) {
-    const float dx = s.centre[0] - l.x[i], dy = s.centre[1] - l.y[i], dz = s.centre[2] - l.z[i];
-    const float along = dx * l.axis_x[i] + dy * l.axis_y[i] + dz * l.axis_z[i], d2 = dx * dx + dy * dy + dz * dz;
-    const float across = std::sqrt(std::max(d2 - along * along, 0.0f));
-    const float slack = s.radius + margin * (s.radius + std::fabs(dx) + std::fabs(dy) + std::fabs(dz));
-    mark[k] = l.cosine[i] * across - l.sine[i] * along > slack ? 0 : mark[k];
-  }
-}
-
-/// Unmarks lights behind every pixel: n.(light - p) = n.(light - q) - n.(p - q) is at most the sum over axes of the larger product, less the deepest
-/// pixel.
-inline void unmark_behind(const Lights& l, int first, const PixelBounds& b, float extent, int* mark) {
-  for (int k = 0, i = first; k < together; ++k, ++i) {
-    const float dx = l.x[i] - l.w[i] * b.reference[0], dy = l.y[i] - l.w[i] * b.reference[1], dz = l.z[i] - l.w[i] * b.reference[2];
-    const float most = std::max(b.normal_low[0] * dx, b.normal_high[0] * dx) + std::max(b.normal_low[1] * dy, b.normal_high[1] * dy) +
-                       std::max(b.normal_low[2] * dz, b.normal_high[2] * dz);
-    const float slack = margin * (std::fabs(dx) + std::fabs(dy) + std::fabs(dz) + extent);
-    mark[k] = most - l.w[i] * b.deepest < -slack ? 0 : mark[k];
-  }
-}
-
-/// The marked ones' numbers, one after the other: each is written, and kept where the next one does not overwrite it.
-inline int keep_marked(const int* mark, const int* numbers, int kept, int* to) {
-  for (int k = 0; k < together; ++k) {
-    to[kept] = numbers[k];
-    kept += mark[k];
-  }
-  return kept;
-}
-
-inline bool any_marked(const int* mark) {
-  int any = 0;
-  for (int k = 0; k < together; ++k) any |= mark[k];
-  return any;
-}
-
-RELUME_WIDE int find_near(const Lights& l, int first, int last, const PixelBounds& b, int* places) {
-  const Sphere s = around(b);
-  int kept = 0;
-  for (; first < last; first += together) {
-    int mark[together], place[together];
-    mark_near(l, first, b, mark);
-    if (!any_marked(mark)) continue;
-    if (l.any_cone) unmark_cones(l, first, s, mark);
-    for (int k = 0; k < together; ++k) place[k] = first + k;
-    kept = keep_marked(mark, place, kept, places);
-  }
-  return kept;
-}
-
-RELUME_WIDE int find_lighting(const Lights& l, int count, const PixelBounds* parts, int part_count, const int* light, int* numbers) {
-  Sphere spheres[RELUME_CELL_PARTS];
-  for (int p = 0; p < part_count; ++p) spheres[p] = around(parts[p]);
-  int kept = 0;
-  for (int first = 0; first < count; first += together) {
-    int mark[together] = {};
-    for (int p = 0; p < part_count; ++p) {
-      int of_part[together];
-      mark_near(l, first, parts[p], of_part);
-      if (l.any_cone) unmark_cones(l, first, spheres[p], of_part);
-      unmark_behind(l, first, parts[p], spheres[p].extent, of_part);
-      for (int k = 0; k < together; ++k) mark[k] |= of_part[k];
-    }
-    if (any_marked(mark)) kept = keep_marked(mark, light + first, kept, numbers);
-  }
-  return kept;
-}
+constexpr float margin = 1e-4f;  ///< a wide berth around what rounding makes of distances
 
 /// Space for numbers, held by each thread.
 std::vector<int>& scratch(std::size_t size) {
@@ -135,6 +24,7 @@ std::vector<int>& scratch(std::size_t size) {
   return numbers;
 }
 
+constexpr int together = LightReach::together;
 std::size_t padded(std::size_t count) { return (count + together - 1) / together * together; }
 
 /// The bits of a 10-bit number, two zeros between neighbours.
@@ -200,20 +90,20 @@ void LightReach::pick(std::span<const int> places, LightReach& kept) const {
   kept.disarm_padding();
 }
 
-LightReach::Columns LightReach::columns() const {
+LightColumns LightReach::columns() const {
   const auto at = [&](int field) { return values_[std::size_t(field)].data(); };
   return {at(x), at(y), at(z), at(w), at(range2), at(axis_x), at(axis_y), at(axis_z), at(cosine), at(sine), any_cone_};
 }
 
 void LightReach::near(const PixelBounds& bounds, LightReach& kept) const {
   std::vector<int>& places = scratch(padded(size()));
-  const int count = find_near(columns(), 0, int(size()), bounds, places.data());
+  const int count = culling().places_near(columns(), 0, int(size()), bounds, places.data());
   pick({places.data(), std::size_t(count)}, kept);
 }
 
 void LightReach::add_lighting(std::span<const PixelBounds> parts, std::vector<int>& numbers) const {
   std::vector<int>& found = scratch(padded(size()));
-  const int count = find_lighting(columns(), int(size()), parts.data(), int(parts.size()), light_.data(), found.data());
+  const int count = culling().numbers_lighting(columns(), int(size()), parts.data(), int(parts.size()), light_.data(), found.data());
   numbers.insert(numbers.end(), found.begin(), found.begin() + count);
 }
 
@@ -256,9 +146,15 @@ LightReach LightReach::spheres_around(int count) const {
       for (std::size_t c = 0; c < 3; ++c) box.low[c] = std::min(box.low[c], values_[c][i]), box.high[c] = std::max(box.high[c], values_[c][i]);
       farthest = std::max(farthest, values_[range2][i]);
     }
-    const Sphere s = around(box);
-    const float reach = s.radius + std::sqrt(farthest);
-    spheres.add(int(first) / count, {s.centre[0], s.centre[1], s.centre[2], 1, reach * reach * (1 + margin)});
+    Values sphere{};
+    float diagonal2 = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      sphere[c] = 0.5f * (box.low[c] + box.high[c]);
+      diagonal2 += (box.high[c] - box.low[c]) * (box.high[c] - box.low[c]);
+    }
+    const float reach = 0.5f * std::sqrt(diagonal2) + std::sqrt(farthest);
+    sphere[w] = 1, sphere[range2] = reach * reach * (1 + margin);
+    spheres.add(int(first) / count, sphere);
   }
   spheres.pad();
   return spheres;
@@ -268,12 +164,12 @@ void LightReach::members_near(const PixelBounds& bounds, const LightReach& spher
   thread_local std::vector<int> near_spheres, places;
   thread_local std::vector<std::uint64_t> is_near;  // a bit for each light, by number: all 0 between calls
   near_spheres.resize(padded(spheres.size()));
-  const int near_count = find_near(spheres.columns(), 0, int(spheres.size()), bounds, near_spheres.data());
+  const int near_count = culling().places_near(spheres.columns(), 0, int(spheres.size()), bounds, near_spheres.data());
   places.resize(std::size_t(near_count * count));
   int found = 0;
   for (int k = 0; k < near_count; ++k) {
     const int first = near_spheres[std::size_t(k)] * count, last = std::min(first + count, int(size()));
-    found += find_near(columns(), first, last, bounds, places.data() + found);
+    found += culling().places_near(columns(), first, last, bounds, places.data() + found);
   }
   is_near.resize(std::max(is_near.size(), place_of_.size() / 64 + 1));
   for (int k = 0; k < found; ++k) {

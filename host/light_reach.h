@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/frame.h"
+#include "host/light_columns.h"
 #include "host/pixel_cells.h"
 
 namespace relume {
@@ -40,12 +41,11 @@ class LightReach {
   /// Of lights in space order, `count` of which each of `spheres` holds, those near, by number.
   void members_near(const PixelBounds& bounds, const LightReach& spheres, int count, LightReach& kept) const;
 
-  /// Lights are tested by as many.
+  /// Lights are tested by as many at most.
   static constexpr int together = 16;
-  struct Columns;
 
  private:
-  enum { x, y, z, w, range2, axis_x, axis_y, axis_z, cosine, sine, fields };  // w: 0 for a directional light, whose x, y, z is the way to it
+  enum { x, y, z, w, range2, axis_x, axis_y, axis_z, cosine, sine, fields };  // of LightColumns
   using Values = std::array<float, fields>;
 
   void add(int light, const Values& values);
@@ -53,11 +53,11 @@ class LightReach {
   /// Fills the arrays up with lights that reach nothing, to a multiple of `together`.
   void pad();
   void disarm_padding();
-  Columns columns() const;
+  LightColumns columns() const;
 
   std::size_t count_ = 0;
   std::vector<int> light_;                         ///< record numbers; this and the values are padded
-  std::array<std::vector<float>, fields> values_;  ///< range2: squared, with a margin for rounding; infinity where nothing is out of range
+  std::array<std::vector<float>, fields> values_;
   bool any_bounded_ = false, any_cone_ = false;
   std::vector<int> place_of_;  ///< of each light, by number, once they are in space order
 };

@@ -23,9 +23,9 @@ LightRecord record_of(const Light& light) {
     r.intensity[c] = float(light.intensity[c]);
     r.direction[c] = float(light.direction[c]);
   }
-  r.range_begin = float(light.range_begin);
   r.range = float(light.range);
   r.falloff = int(light.falloff);
+  r.falloff_scale = falloff_scale(r.falloff, float(light.range_begin), r.range);
   r.cone = int(light.cone);
   const double inner = glm::radians(light.inner_angle), outer = glm::radians(light.outer_angle);
   r.inner = float(light.cone == Cone::linear ? inner : std::cos(inner));
@@ -36,6 +36,10 @@ LightRecord record_of(const Light& light) {
 }
 
 }  // namespace
+
+float falloff_scale(int falloff, float range_begin, float range) {
+  return falloff == FALLOFF_linear ? 1.0f / (range - range_begin) : falloff == FALLOFF_windowed ? 1.0f / (range * range) : 0.0f;
+}
 
 LightRecords light_records(const std::vector<Light>& lights, const EnvironmentOptions& environments) {
   LightRecords result;

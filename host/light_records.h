@@ -32,6 +32,9 @@ struct LightRecords {
 };
 
 /// Reads the images of environments. Error{input}.
+/// LightRecord::falloff_scale, for kernels to multiply by.
+float falloff_scale(int falloff, float range_begin, float range);
+
 LightRecords light_records(const std::vector<Light>& lights, const EnvironmentOptions& environments = {.method = EnvironmentMethod::exact});
 
 }  // namespace relume

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "host/twin.h"
+#include "host/culling.h"
 
 namespace relume {
 
@@ -50,7 +50,7 @@ int PixelCells::find_blocks(int y, int column, int* blocks) const {
 int PixelCells::bound(int y, int column, float widest, PixelBounds* parts) const {
   int blocks[cell_rows];
   const int count = find_blocks(y, column, blocks);
-  return bound_cell(planes_.data(), frame_, blocks, count, widest, parts);
+  return culling().bound_cell(planes_.data(), frame_, blocks, count, widest, parts);
 }
 
 }  // namespace relume

@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "host/ambient_nodes.h"
-#include "host/merl_numbers.h"
 #include "host/device_environment.h"
+#include "host/light_records.h"
+#include "host/merl_numbers.h"
 #include "kernels/cycles_tables.h"
 
 namespace relume {
@@ -81,7 +82,6 @@ void make_lights(TestBand& band) {
   std::memcpy(light.intensity, values, sizeof values);
   std::memcpy(light.direction, towards, sizeof towards);
   std::memcpy(light.position, where, sizeof where);
-  light.range_begin = 1;
   light.range = 6;
   light.inner = 0.97f;
   light.outer = 0.6f;
@@ -90,6 +90,7 @@ void make_lights(TestBand& band) {
     band.frame.light_begin[type] = int(band.lights.size());
     for (int k = 0; k < 4; ++k) {
       light.falloff = falloffs[k];
+      light.falloff_scale = falloff_scale(falloffs[k], 1, light.range);
       light.cone = k % 3;
       light.position[k % 3] -= 0.7f;
       if (light.cone == CONE_linear) light.inner = 0.2f, light.outer = 0.9f;

@@ -6,21 +6,22 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 #include "gbuffer/error.h"
+#include "host/culling.h"
 #include "host/light_lists.h"
 
 namespace relume {
 
 using RunRange = void (*)(const Choice&, const float*, const Frame&, const LightRecord*, const int*, const float*, float*, int, int);
-using BoundCell = int (*)(const float*, const Frame&, const int*, int, float, PixelBounds*);
 
 #define RELUME_TWIN_RANGE(name) \
   void name##_range(const Choice&, const float*, const Frame&, const LightRecord*, const int*, const float*, float*, int, int);
-#define RELUME_TWIN(lanes)                                                    \
-  namespace lanes {                                                           \
-  RELUME_ENTRIES(RELUME_TWIN_RANGE)                                           \
-  int bound_cell(const float*, const Frame&, const int*, int, float, PixelBounds*); \
+#define RELUME_TWIN(lanes)          \
+  namespace lanes {                 \
+  RELUME_ENTRIES(RELUME_TWIN_RANGE) \
+  extern const Culling culling;     \
   }
 RELUME_TWIN(lanes1)
 RELUME_TWIN(lanes4)
@@ -35,7 +36,7 @@ constexpr std::size_t entry_count = 0 RELUME_ENTRIES(RELUME_COUNT_ENTRY);
 struct Compilation {
   int lanes;
   std::array<RunRange, entry_count> run;  // by Entry
-  BoundCell bound;
+  const Culling* culling;
   bool runs_here;
 };
 
@@ -50,10 +51,10 @@ const std::vector<Compilation>& compilations() {
 #define RELUME_RANGE_4(name) lanes4::name##_range,
 #define RELUME_RANGE_8(name) lanes8::name##_range,
 #define RELUME_RANGE_16(name) lanes16::name##_range,
-  static const std::vector<Compilation> all{{1, {RELUME_ENTRIES(RELUME_RANGE_1)}, lanes1::bound_cell, true},
-                                            {4, {RELUME_ENTRIES(RELUME_RANGE_4)}, lanes4::bound_cell, true},
-                                            {8, {RELUME_ENTRIES(RELUME_RANGE_8)}, lanes8::bound_cell, has_avx2},
-                                            {16, {RELUME_ENTRIES(RELUME_RANGE_16)}, lanes16::bound_cell, has_avx512}};
+  static const std::vector<Compilation> all{{1, {RELUME_ENTRIES(RELUME_RANGE_1)}, &lanes1::culling, true},
+                                            {4, {RELUME_ENTRIES(RELUME_RANGE_4)}, &lanes4::culling, true},
+                                            {8, {RELUME_ENTRIES(RELUME_RANGE_8)}, &lanes8::culling, has_avx2},
+                                            {16, {RELUME_ENTRIES(RELUME_RANGE_16)}, &lanes16::culling, has_avx512}};
   return all;
 }
 
@@ -124,14 +125,14 @@ std::vector<int> twin_lanes() {
   return lanes;
 }
 
-int bound_cell(const float* planes, const Frame& frame, const int* blocks, int count, float widest, PixelBounds* parts) {
-  static const BoundCell bound = [] {
-    BoundCell found = nullptr;
+const Culling& culling() {
+  static const Culling& widest = [] {
+    const Culling* found = nullptr;
     for (const Compilation& c : compilations())
-      if (c.runs_here) found = c.bound;
-    return found;
+      if (c.runs_here) found = c.culling;
+    return std::ref(*found);
   }();
-  return bound(planes, frame, blocks, count, widest, parts);
+  return widest;
 }
 
 std::unique_ptr<Device> open_twin(int lanes) {

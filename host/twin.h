@@ -14,7 +14,4 @@ std::vector<int> twin_lanes();
 /// `lanes`: 0 for the widest. Throws Error{device} that lists what there is.
 std::unique_ptr<Device> open_twin(int lanes = 0);
 
-/// bound_parts of kernels/bounds.h on this processor's widest vectors.
-int bound_cell(const float* planes, const Frame& frame, const int* blocks, int count, float widest, PixelBounds* parts);
-
 }  // namespace relume

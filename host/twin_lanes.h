@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstring>
 
+#include "host/culling.h"
 #include "host/frame.h"
 #include "kernels/entries.h"
 
@@ -19,6 +20,7 @@ namespace RELUME_TWIN_JOIN(lanes, RELUME_LANES) {
 #include "kernels/evaluate.h"
 #include "kernels/shade.h"
 #include "kernels/terms.h"
+#include "host/near_lanes.h"
   }  // namespace
 
 #define RELUME_RANGE(name)                                                                                                                           \
@@ -30,9 +32,9 @@ namespace RELUME_TWIN_JOIN(lanes, RELUME_LANES) {
   RELUME_ENTRIES(RELUME_RANGE)
 #undef RELUME_RANGE
 
-  /// See kernels/bounds.h.
-  int bound_cell(const float* planes, const Frame& frame, const int* blocks, int count, float widest, PixelBounds* parts) {
+  static int bound_cell(const float* planes, const Frame& frame, const int* blocks, int count, float widest, PixelBounds* parts) {
     return bound_parts(planes, &frame, blocks, count, widest, parts);
   }
+  extern const Culling culling{bound_cell, places_near, numbers_lighting};
 }  // namespace )
 }  // namespace relume

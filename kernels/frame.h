@@ -15,7 +15,7 @@ enum { CONE_gltf, CONE_smoothstep, CONE_linear };
 /// 64 bytes: one light. A type ignores what it does not need.
 typedef struct {
   float position[3];   // world
-  float range_begin;   // world units
+  float falloff_scale; // linear: 1/(range - range_begin); windowed: 1/range^2
   float intensity[3];  // W/sr; directional: W/m^2
   float range;         // world units; 0 = unbounded
   float direction[3];  // unit, the way the light travels
@@ -37,7 +37,7 @@ typedef struct {
 } Field;
 
 /// Pixels of a cell, for which lights are listed together, and the most parts that it is bounded in.
-#define RELUME_CELL_PIXELS 64
+#define RELUME_CELL_PIXELS 128
 #define RELUME_CELL_PARTS 4
 
 /// Of some pixels that show a surface: positions within a box, normals within another. Nothing where low > high.

@@ -34,6 +34,7 @@ RELUME_FN real whole_below(real x) { return __builtin_floorf(x); }
 RELUME_FN real absolute(real x) { return __builtin_fabsf(x); }
 RELUME_FN real to_real(integer x) { return static_cast<float>(x); }
 RELUME_FN integer to_integer(real x) { return static_cast<int>(x); }
+RELUME_FN int joined(integer m) { return m; }
 RELUME_FN int any_of(mask m) { return m; }
 RELUME_FN float least_of(real x) { return x; }
 RELUME_FN real gather(const float* table, integer index) { return table[index]; }
@@ -54,31 +55,38 @@ RELUME_FN real whole_below(real x) {
 RELUME_FN real absolute(real x) { return as_real(as_integer(x) & 0x7fffffff); }
 RELUME_FN real to_real(integer x) { return __builtin_convertvector(x, real); }
 RELUME_FN integer to_integer(real x) { return __builtin_convertvector(x, integer); }
-RELUME_FN int any_of(mask m) {
-  int any = 0;
-  for (int lane = 0; lane < RELUME_LANES; ++lane) any |= m[lane];
-  return any != 0;
+// Over all lanes by halves, each a vector of its own.
+RELUME_FN int joined(integer m) {
+#if RELUME_LANES == 16
+  const auto eight = __builtin_shufflevector(m, m, 0, 1, 2, 3, 4, 5, 6, 7) | __builtin_shufflevector(m, m, 8, 9, 10, 11, 12, 13, 14, 15);
+#else
+  const auto eight = m;
+#endif
+#if RELUME_LANES >= 8
+  const auto four = __builtin_shufflevector(eight, eight, 0, 1, 2, 3) | __builtin_shufflevector(eight, eight, 4, 5, 6, 7);
+#else
+  const auto four = eight;
+#endif
+  const auto two = four | __builtin_shufflevector(four, four, 2, 3, 0, 1);
+  return two[0] | two[1];
 }
-/// By halves, each a vector of its own.
-#define RELUME_LEAST_OF_HALVES(lanes, x)                                                   \
-  typedef float Half##lanes __attribute__((vector_size(lanes / 2 * sizeof(float))));       \
-  Half##lanes low##lanes, high##lanes;                                                     \
-  __builtin_memcpy(&low##lanes, &x, sizeof low##lanes);                                    \
-  __builtin_memcpy(&high##lanes, (const char*)&x + sizeof low##lanes, sizeof high##lanes); \
-  low##lanes = high##lanes < low##lanes ? high##lanes : low##lanes;
+RELUME_FN int any_of(mask m) { return joined(m) != 0; }
+#define RELUME_LEAST(a, b) ((b) < (a) ? (b) : (a))
 RELUME_FN float least_of(real x) {
 #if RELUME_LANES == 16
-  RELUME_LEAST_OF_HALVES(16, x)
-  RELUME_LEAST_OF_HALVES(8, low16)
-  RELUME_LEAST_OF_HALVES(4, low8)
-#elif RELUME_LANES == 8
-  RELUME_LEAST_OF_HALVES(8, x)
-  RELUME_LEAST_OF_HALVES(4, low8)
+  auto eight = RELUME_LEAST(__builtin_shufflevector(x, x, 0, 1, 2, 3, 4, 5, 6, 7), __builtin_shufflevector(x, x, 8, 9, 10, 11, 12, 13, 14, 15));
 #else
-  RELUME_LEAST_OF_HALVES(4, x)
+  auto eight = x;
 #endif
-  return low4[1] < low4[0] ? low4[1] : low4[0];
+#if RELUME_LANES >= 8
+  auto four = RELUME_LEAST(__builtin_shufflevector(eight, eight, 0, 1, 2, 3), __builtin_shufflevector(eight, eight, 4, 5, 6, 7));
+#else
+  auto four = eight;
+#endif
+  auto two = RELUME_LEAST(four, __builtin_shufflevector(four, four, 2, 3, 0, 1));
+  return RELUME_LEAST(two[0], two[1]);
 }
+#undef RELUME_LEAST
 RELUME_FN real gather(const float* table, integer index) {
   real x;
   for (int lane = 0; lane < RELUME_LANES; ++lane) x[lane] = table[index[lane]];

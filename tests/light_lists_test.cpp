@@ -8,6 +8,7 @@
 #include <random>
 
 #include "host/light_lists.h"
+#include "host/light_records.h"
 #include "host/twin.h"
 
 namespace relume {
@@ -58,7 +59,7 @@ LightRecord light_of(std::mt19937& random, int falloff) {
   for (float& d : light.direction) d /= length;
   light.falloff = falloff;
   light.range = 0.3f + some(random);
-  light.range_begin = 0.5f * light.range;
+  light.falloff_scale = falloff_scale(falloff, 0.5f * light.range, light.range);
   light.reach = falloff == FALLOFF_linear || falloff == FALLOFF_windowed ? light.range * 1.0001f : std::numeric_limits<float>::infinity();
   light.outer = 0.8f;
   light.inner = 0.9f;

@@ -39,9 +39,9 @@ TEST(Lights, PointFallsWithTheSquareOfTheDistance) {
 TEST(Lights, FalloffsOfTheRigFile) {
   kernel::LightRecord light = light_at(0, 0, 4);
   light.range = 8;
-  light.range_begin = 2;
   const auto falloff = [&](int kind) {
     light.falloff = kind;
+    light.falloff_scale = kind == kernel::FALLOFF_linear ? 1.0f / (8 - 2) : 1.0f / (8 * 8);
     return kernel::light_point(&light, kOrigin).share;
   };
   EXPECT_FLOAT_EQ(falloff(kernel::FALLOFF_inverse_square), 1 / 16.0f);

@@ -7,10 +7,10 @@
 /// The share of the intensity that arrives at distance d. `windowed`: glTF KHR_lights_punctual's recommended range window.
 RELUME_FN real falloff_at(RELUME_GLOBAL const LightRecord* light, real d2, real inverse_d) {
   if (light->falloff == FALLOFF_none) return all_lanes(1.0f);
-  if (light->falloff == FALLOFF_linear) return clamped((light->range - d2 * inverse_d) * (1.0f / (light->range - light->range_begin)), 0.0f, 1.0f);
+  if (light->falloff == FALLOFF_linear) return clamped((light->range - d2 * inverse_d) * light->falloff_scale, 0.0f, 1.0f);
   const real inverse_square = inverse_d * inverse_d;
   if (light->falloff == FALLOFF_inverse_square) return inverse_square;
-  const real x2 = d2 * (1.0f / (light->range * light->range));
+  const real x2 = d2 * light->falloff_scale;
   return inverse_square * clamped(1.0f - x2 * x2, 0.0f, 1.0f);
 }
 
