@@ -11,7 +11,7 @@
 
 namespace relume {
 
-Planes::Planes(std::size_t pixels, int capacity) : pixels_(pixels), stride_((pixels + granule - 1) / granule * granule), capacity_(capacity) {
+Planes::Planes(std::size_t pixels, int capacity) : pixels_(pixels), stride_((pixels + granule - 1) / granule * granule + shift), capacity_(capacity) {
   const std::size_t bytes = stride_ * std::size_t(capacity) * sizeof(float);
   if (bytes == 0) return;
   void* memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);

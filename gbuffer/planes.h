@@ -1,5 +1,5 @@
-// The memory of a band of pixels: one reservation, many planes (structure of arrays), each plane 4096-byte aligned, so that
-// a CPU device uses them in place (CL_MEM_USE_HOST_PTR) and EXR channels decode straight into them.
+// The memory of a band of pixels: one reservation, many planes (structure of arrays), so that a CPU device uses them in place (CL_MEM_USE_HOST_PTR)
+// and EXR channels decode straight into them.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +10,8 @@ class Planes {
  public:
   /// A plane of one float a pixel is rounded up to this many floats: 4096 bytes, and a multiple of every lane count.
   static constexpr std::size_t granule = 1024;
+  /// Floats more, five cache lines: a pixel's values a multiple of 4096 bytes apart would compete for the same few places of a cache.
+  static constexpr std::size_t shift = 80;
 
   /// Reserves address space for `capacity` planes; a plane costs memory only once it is written. Throws Error{memory}.
   Planes(std::size_t pixels, int capacity);

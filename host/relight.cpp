@@ -171,7 +171,7 @@ Bands Relight::bands(const Window& window) const {
   const std::int64_t out = shading_->planes(), samples = reading_.filtered ? Mixtures::most_surfaces : 1;
   const std::int64_t largest = std::max(in, out), row = window.width() * std::int64_t(sizeof(float)) * samples;
   // Offsets into the planes are 32-bit ints.
-  const std::int64_t by_index = ((std::int64_t(1) << 31) / largest - std::int64_t(Planes::granule)) / (window.width() * samples);
+  const std::int64_t by_index = ((std::int64_t(1) << 31) / largest - std::int64_t(Planes::granule + Planes::shift)) / (window.width() * samples);
   const std::int64_t by_device = std::int64_t(device_->info().max_allocation / std::uint64_t(largest * row));
   // Bands whose pixels are told by their neighbours read some rows of the next as well: larger ones read fewer twice.
   const bool has_margins = reading_.filtered || reading_.position_premultiplied || is_made(reading_, "normal");
