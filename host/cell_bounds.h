@@ -27,4 +27,15 @@ class CellBounds {
   std::vector<Row> rows_;
 };
 
+/// Boxes around positions: one around all, or up to RELUME_CELL_PARTS where it would be wide.
+struct Boxes {
+  PixelBounds box[RELUME_CELL_PARTS];
+  int count = 0;
+
+  operator std::span<const PixelBounds>() const { return {box, std::size_t(count)}; }
+};
+
+/// Around the positions of all parts; with a side longer than `widest`, split in its middle.
+Boxes boxes_around(std::span<const PixelBounds> parts, float widest);
+
 }  // namespace relume

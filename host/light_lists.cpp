@@ -41,49 +41,52 @@ using Listed = LightLists::Listed;
 /// What is listed of one super-tile.
 class SuperTile {
  public:
-  SuperTile(const PixelCells& pixels, const CellBounds& bounds, int number)
+  SuperTile(const PixelCells& pixels, const CellBounds& bounds, float widest_box, int number)
       : pixels_(pixels),
         bounds_(bounds),
+        widest_box_(widest_box),
         y_(number / pixels.super_tiles_across() * PixelCells::super_rows),
         first_column_(number % pixels.super_tiles_across() * PixelCells::super_columns),
         end_column_(std::min(first_column_ + PixelCells::super_columns, pixels.columns())),
-        end_row_(std::min((y_ + PixelCells::super_rows) / PixelCells::cell_rows, pixels.cells_down())) {
-    for_tiles([&](const PixelBounds& tile, int, int, int) { include_positions(all_, tile); });
-  }
+        end_row_(std::min((y_ + PixelCells::super_rows) / PixelCells::cell_rows, pixels.cells_down())) {}
 
   /// `cuts`: behind the lights that are near a cell its cut; null where there are none.
   void list(const SortedLights& lights, Sharing sharing, const LightCuts* cuts, Listed& listed) const {
-    if (is_empty(all_)) return;
+    const Boxes all = boxes(y_ / PixelCells::cell_rows, end_row_, first_column_, end_column_);
+    if (all.count == 0) return;
     thread_local LightReach near, nearer;
-    lights.reach.members_near(all_, lights.spheres, SortedLights::clustered, near);
+    lights.reach.members_near(all, lights.spheres, SortedLights::clustered, near);
     if (sharing == Sharing::super_tile) return add(listed, {y_, first_column_, PixelCells::super_rows, PixelCells::super_columns, 0, 0}, near, {});
-    for_tiles([&](const PixelBounds& tile, int row, int end, int column) {
-      if (is_empty(tile)) return;
-      const bool narrow = sharing == Sharing::tile || near.size() > few;
-      if (narrow) near.near(tile, nearer);
-      const LightReach& of_tile = narrow ? nearer : near;
-      if (sharing == Sharing::tile) return add(listed, {row * PixelCells::cell_rows, column, PixelCells::tile_rows, 1, 0, 0}, of_tile, {});
-      for (; row < end; ++row) {
-        const std::span<const PixelBounds> cell = bounds_.of(row, column);
-        if (cell.empty()) continue;
-        add(listed, {row * PixelCells::cell_rows, column, PixelCells::cell_rows, 1, 0, 0}, of_tile, cell);
-        if (cuts) add_cut(*cuts, listed);
+    for (int row = y_ / PixelCells::cell_rows; row < end_row_; row += cells)
+      for (int column = first_column_; column < end_column_; ++column) {
+        const bool narrow = sharing == Sharing::tile || near.size() > few;
+        if (narrow) near.near(boxes(row, std::min(row + cells, end_row_), column, column + 1), nearer);
+        const LightReach& of_tile = narrow ? nearer : near;
+        if (sharing == Sharing::tile)
+          add(listed, {row * PixelCells::cell_rows, column, PixelCells::tile_rows, 1, 0, 0}, of_tile, {});
+        else
+          list_cells(row, column, of_tile, cuts, listed);
       }
-    });
   }
 
  private:
-  /// With the box of a tile's positions, its rows of cells [row, end) and its column.
-  template <class Visit>
-  void for_tiles(const Visit& visit) const {
-    for (int first = y_ / PixelCells::cell_rows; first < end_row_; first += cells)
-      for (int column = first_column_; column < end_column_; ++column) {
-        PixelBounds tile = no_bounds();
-        const int end = std::min(first + cells, end_row_);
-        for (int row = first; row < end; ++row)
-          for (const PixelBounds& part : bounds_.of(row, column)) include_positions(tile, part);
-        visit(tile, first, end, column);
-      }
+  /// Around the cells of rows [row, end_row) and columns [column, end_column).
+  Boxes boxes(int row, int end_row, int column, int end_column) const {
+    thread_local std::vector<PixelBounds> parts;
+    parts.clear();
+    for (; row < end_row; ++row)
+      for (int c = column; c < end_column; ++c) parts.insert(parts.end(), bounds_.of(row, c).begin(), bounds_.of(row, c).end());
+    return boxes_around(parts, widest_box_);
+  }
+
+  /// Those of the tile whose first row of cells is `row`.
+  void list_cells(int row, int column, const LightReach& lights, const LightCuts* cuts, Listed& listed) const {
+    for (const int end = std::min(row + cells, end_row_); row < end; ++row) {
+      const std::span<const PixelBounds> cell = bounds_.of(row, column);
+      if (cell.empty()) continue;
+      add(listed, {row * PixelCells::cell_rows, column, PixelCells::cell_rows, 1, 0, 0}, lights, cell);
+      if (cuts) add_cut(*cuts, listed);
+    }
   }
 
   /// The lights that may light one of the parts; all of them where there are none.
@@ -109,8 +112,8 @@ class SuperTile {
 
   const PixelCells& pixels_;
   const CellBounds& bounds_;
+  float widest_box_;
   int y_, first_column_, end_column_, end_row_;
-  PixelBounds all_ = no_bounds();
 };
 
 /// A super-tile's lists to their place, and where they begin and end to each of their blocks.
@@ -178,7 +181,7 @@ int LightLists::add_lists(const Planes& planes, const Frame& frame, int width, c
     std::atomic<std::size_t> total = size_ + 2 * std::size_t(pixels.blocks());
     tbb::parallel_for(0, count, [&](int t) {
       if (total > most) return;
-      SuperTile(pixels, bounds, t).list(lights, sharing, cuts, listed[std::size_t(t)]);
+      SuperTile(pixels, bounds, lights.widest_box, t).list(lights, sharing, cuts, listed[std::size_t(t)]);
       total += listed[std::size_t(t)].numbers.size();
     });
     if (total <= most) return append(pixels, listed);

@@ -95,9 +95,9 @@ LightColumns LightReach::columns() const {
   return {at(x), at(y), at(z), at(w), at(range2), at(axis_x), at(axis_y), at(axis_z), at(cosine), at(sine), any_cone_};
 }
 
-void LightReach::near(const PixelBounds& bounds, LightReach& kept) const {
+void LightReach::near(std::span<const PixelBounds> boxes, LightReach& kept) const {
   std::vector<int>& places = scratch(padded(size()));
-  const int count = culling().places_near(columns(), 0, int(size()), bounds, places.data());
+  const int count = culling().places_near(columns(), 0, int(size()), boxes.data(), int(boxes.size()), places.data());
   pick({places.data(), std::size_t(count)}, kept);
 }
 
@@ -160,16 +160,16 @@ LightReach LightReach::spheres_around(int count) const {
   return spheres;
 }
 
-void LightReach::members_near(const PixelBounds& bounds, const LightReach& spheres, int count, LightReach& kept) const {
+void LightReach::members_near(std::span<const PixelBounds> boxes, const LightReach& spheres, int count, LightReach& kept) const {
   thread_local std::vector<int> near_spheres, places;
   thread_local std::vector<std::uint64_t> is_near;  // a bit for each light, by number: all 0 between calls
   near_spheres.resize(padded(spheres.size()));
-  const int near_count = culling().places_near(spheres.columns(), 0, int(spheres.size()), bounds, near_spheres.data());
+  const int near_count = culling().places_near(spheres.columns(), 0, int(spheres.size()), boxes.data(), int(boxes.size()), near_spheres.data());
   places.resize(std::size_t(near_count * count));
   int found = 0;
   for (int k = 0; k < near_count; ++k) {
     const int first = near_spheres[std::size_t(k)] * count, last = std::min(first + count, int(size()));
-    found += culling().places_near(columns(), first, last, bounds, places.data() + found);
+    found += culling().places_near(columns(), first, last, boxes.data(), int(boxes.size()), places.data() + found);
   }
   is_near.resize(std::max(is_near.size(), place_of_.size() / 64 + 1));
   for (int k = 0; k < found; ++k) {

@@ -26,9 +26,9 @@ class LightReach {
   /// Half of the lights that have one have a longer reach; infinity where none has.
   float median_reach() const;
 
-  /// Those that may reach a position within the bounds, whichever way the surface there faces. `kept` is overwritten, its memory used again:
+  /// Those that may reach a position within one of the boxes, whichever way the surface there faces. `kept` is overwritten, its memory used again:
   /// thousands of tiles ask.
-  void near(const PixelBounds& bounds, LightReach& kept) const;
+  void near(std::span<const PixelBounds> boxes, LightReach& kept) const;
   /// The numbers of those that may light some pixel of one of the parts, in the lights' order, added to `numbers`.
   void add_lighting(std::span<const PixelBounds> parts, std::vector<int>& numbers) const;
   /// All numbers, added.
@@ -39,7 +39,7 @@ class LightReach {
   /// Spheres around each `count` lights that follow one another. `count`: a multiple of `together`.
   LightReach spheres_around(int count) const;
   /// Of lights in space order, `count` of which each of `spheres` holds, those near, by number.
-  void members_near(const PixelBounds& bounds, const LightReach& spheres, int count, LightReach& kept) const;
+  void members_near(std::span<const PixelBounds> boxes, const LightReach& spheres, int count, LightReach& kept) const;
 
   /// Lights are tested by as many at most.
   static constexpr int together = 16;

@@ -39,6 +39,12 @@ RELUME_FN mask cone_meets(const LightColumns& l, int i, const Sphere& s) {
   return !(load(l.cosine + i) * across - load(l.sine + i) * along > slack);
 }
 
+RELUME_FN mask some_cone_meets(const LightColumns& l, int i, const PixelBounds* boxes, int box_count) {
+  mask some = cone_meets(l, i, around(boxes[0]));
+  for (int b = 1; b < box_count; ++b) some = some | cone_meets(l, i, around(boxes[b]));
+  return some;
+}
+
 /// Whether a light is in front of some pixel: n.(light - p) = n.(light - q) - n.(p - q) is at most the sum over axes of the larger product, less the
 /// deepest pixel.
 RELUME_FN mask is_in_front(const LightColumns& l, int i, const PixelBounds& b) {
@@ -59,12 +65,13 @@ RELUME_FN unsigned bits_of(mask m) {
   return static_cast<unsigned>(joined(m & bits));
 }
 
-static int places_near(const LightColumns& l, int first, int last, const PixelBounds& bounds, int* places) {
-  const Sphere sphere = around(bounds);
+static int places_near(const LightColumns& l, int first, int last, const PixelBounds* boxes, int box_count, int* places) {
+  if (box_count == 0) return 0;
   int kept = 0;
   for (int i = first; i < last; i += RELUME_LANES) {
-    mask near = is_near(l, i, bounds);
-    if (l.any_cone) near = near & cone_meets(l, i, sphere);
+    mask near = is_near(l, i, boxes[0]);
+    for (int b = 1; b < box_count; ++b) near = near | is_near(l, i, boxes[b]);
+    if (l.any_cone) near = near & some_cone_meets(l, i, boxes, box_count);
     for (unsigned bits = bits_of(near); bits != 0; bits &= bits - 1) places[kept++] = i + __builtin_ctz(bits);
   }
   return kept;
