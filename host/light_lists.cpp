@@ -31,6 +31,7 @@ constexpr int too_few = 8;
 constexpr std::size_t few = 200;
 
 constexpr int cells = PixelCells::tile_rows / PixelCells::cell_rows;  // in a tile, one above the other
+constexpr int cut_rows = 4;  ///< of pixels that share a cut through a light tree: what holds for more of them holds for fewer clusters
 
 /// Pixels that share a list.
 enum class Sharing { cell, tile, super_tile };
@@ -84,8 +85,14 @@ class SuperTile {
     for (const int end = std::min(row + cells, end_row_); row < end; ++row) {
       const std::span<const PixelBounds> cell = bounds_.of(row, column);
       if (cell.empty()) continue;
-      add(listed, {row * PixelCells::cell_rows, column, PixelCells::cell_rows, 1, 0, 0}, lights, cell);
-      if (cuts) add_cut(*cuts, listed);
+      const int y = row * PixelCells::cell_rows;
+      if (!cuts)
+        add(listed, {y, column, PixelCells::cell_rows, 1, 0, 0}, lights, cell);
+      else
+        for (int k = 0; k < PixelCells::cell_rows; k += cut_rows) {
+          add(listed, {y + k, column, cut_rows, 1, 0, 0}, lights, cell);
+          add_cut(*cuts, listed);
+        }
     }
   }
 
@@ -100,14 +107,14 @@ class SuperTile {
     listed.lists.push_back(list);
   }
 
-  /// To the last cell.
+  /// To the last list.
   void add_cut(const LightCuts& cuts, Listed& listed) const {
     thread_local std::vector<PixelPatch> patches;
     patches.clear();
-    List& cell = listed.lists.back();
-    add_patches(pixels_, cell.y, cell.column, PixelCells::cell_rows, cuts.most_turn(), patches);
+    List& last = listed.lists.back();
+    add_patches(pixels_, last.y, last.column, last.rows, cuts.most_turn(), patches);
     cuts.add_cut(patches, listed.numbers);
-    cell.end = int(listed.numbers.size());
+    last.end = int(listed.numbers.size());
   }
 
   const PixelCells& pixels_;

@@ -56,7 +56,7 @@ class LightReach {
   LightColumns columns() const;
 
   std::size_t count_ = 0;
-  std::vector<int> light_;                         ///< record numbers; this and the values are padded
+  std::vector<int> light_;  ///< record numbers; this and the values are padded
   std::array<std::vector<float>, fields> values_;
   bool any_bounded_ = false, any_cone_ = false;
   std::vector<int> place_of_;  ///< of each light, by number, once they are in space order

@@ -1,5 +1,7 @@
 // Lights against bounds of pixels, RELUME_LANES of them at a time: spheres, cones and half-spaces against boxes, with margins that rounding cannot
-// cross, so that no light is left out that reaches. Included by twin_lanes.h, after the kernels.
+// cross, so that no light is left out that reaches. Included by twin_lanes.h, in its namespace.
+#include "kernels/frame.h"
+#include "kernels/vector.h"
 
 /// The kernels compute squared distances and cosines within some 4e-7 of themselves; this is a wide berth.
 constexpr float margin = 1e-4f;

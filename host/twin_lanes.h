@@ -13,6 +13,7 @@
 namespace relume {
 namespace RELUME_TWIN_JOIN(lanes, RELUME_LANES) {
   namespace {
+#include "host/near_lanes.h"
 #include "kernels/bounds.h"
 #include "kernels/directions.h"
 #include "kernels/environment_prefiltered.h"
@@ -20,7 +21,6 @@ namespace RELUME_TWIN_JOIN(lanes, RELUME_LANES) {
 #include "kernels/evaluate.h"
 #include "kernels/shade.h"
 #include "kernels/terms.h"
-#include "host/near_lanes.h"
   }  // namespace
 
 #define RELUME_RANGE(name)                                                                                                                           \

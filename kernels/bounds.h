@@ -138,8 +138,8 @@ RELUME_FN void bound_normals(RELUME_GLOBAL const float* planes, RELUME_GLOBAL co
   fold(depth, &bounds->deepest, &unused);
 }
 
-/// Of a cell of `count` blocks of pixels, by number: how many parts it has, none where it shows no surface. Boxes with a side longer than `widest` are
-/// split in its middle, the longest first, as long as there are parts.
+/// Of a cell of `count` blocks of pixels, by number: how many parts it has, none where it shows no surface. Boxes with a side longer than `widest`
+/// are split in its middle, the longest first, as long as there are parts.
 RELUME_FN int bound_parts(RELUME_GLOBAL const float* planes, RELUME_GLOBAL const Frame* frame, const int* blocks, int count, float widest,
                           PixelBounds* parts) {
   CellLanes cell;

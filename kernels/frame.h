@@ -14,13 +14,13 @@ enum { CONE_gltf, CONE_smoothstep, CONE_linear };
 
 /// 64 bytes: one light. A type ignores what it does not need.
 typedef struct {
-  float position[3];   // world
-  float falloff_scale; // linear: 1/(range - range_begin); windowed: 1/range^2
-  float intensity[3];  // W/sr; directional: W/m^2
-  float range;         // world units; 0 = unbounded
-  float direction[3];  // unit, the way the light travels
-  float outer;         // cosine of the outer half-angle; cone linear: the angle, radians
-  float inner;         // cosine of the inner half-angle; cone linear: the angle, radians
+  float position[3];    // world
+  float falloff_scale;  // linear: 1/(range - range_begin); windowed: 1/range^2
+  float intensity[3];   // W/sr; directional: W/m^2
+  float range;          // world units; 0 = unbounded
+  float direction[3];   // unit, the way the light travels
+  float outer;          // cosine of the outer half-angle; cone linear: the angle, radians
+  float inner;          // cosine of the inner half-angle; cone linear: the angle, radians
   int falloff;
   int cone;
   float reach;  // the least distance from which nothing arrives, with a margin of 1e-4 for rounding; infinity where light arrives from anywhere

@@ -29,16 +29,18 @@ int constant(Scene& scene, float value) {
   return int(scene.planes.stride()) * plane;
 }
 
-/// Waves of ground with steps in depth, holes where nothing is seen, and normals of which some look away from the viewer.
-void make_pixels(Scene& scene, float facing) {
+/// Waves of ground with steps in depth, holes where nothing is seen, and normals of which some look away from the viewer. `apart`: pixels.
+void make_pixels(Scene& scene, float facing, float apart) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> some(-1, 1);
   scene.planes.add(7);
   for (int i = 0; i < width * height; ++i) {
-    const float x = 0.1f * float(i % width), y = 0.1f * float(i / width);
-    const float step = (i % width) / 40 % 2 ? 3.0f : 0.0f;
-    float n[3] = {0.5f * std::sin(x) + 0.3f * some(random), 1, 0.5f * std::cos(y)};
-    if (i % 11 == 3) n[1] = -1;
+    const float x = apart * float(i % width), y = apart * float(i / width);
+    const float step = (i % width) / 40 % 2 ? 30 * apart : 0.0f;
+    float n[3] = {0.5f * std::sin(x) + 3 * apart * some(random), 1, 0.5f * std::cos(y)};
+    // Here and there, or whole cells.
+    if (apart < 0.1f ? i % width / 32 % 2 : i % 11 == 3)
+      for (float& component : n) component = -component;
     const float length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     const float p[3] = {x, 0.3f * std::sin(2 * x) + step, y};
     for (int c = 0; c < 3; ++c) scene.planes.plane(c)[i] = p[c], scene.planes.plane(3 + c)[i] = n[c] / length;
@@ -76,9 +78,9 @@ void make_lights(Scene& scene, int each) {
   scene.begin[LIGHT_COUNT] = int(scene.lights.size());
 }
 
-Scene make_scene(float facing, int each) {
+Scene make_scene(float facing, int each, float apart = 0.1f) {
   Scene scene;
-  make_pixels(scene, facing);
+  make_pixels(scene, facing, apart);
   make_lights(scene, each);
   Frame& frame = scene.frame;
   frame.pixels = width * height;
@@ -131,6 +133,21 @@ TEST_P(EveryFacing, ListsChangeNoBit) {
   }
 }
 
+/// Cells are nearly points here, so that bounds are nearly what pixels are, and a test that says no too soon is found out.
+TEST_P(EveryFacing, ListsOfSmallCellsChangeNoBit) {
+  Scene scene = make_scene(GetParam(), 2000, 1e-4f);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> some(-1, 1);
+  for (LightRecord& light : scene.lights)
+    for (float& place : light.position) place = some(random);
+  const std::vector<float> all = shaded(scene, {}, 0);
+  LightLists lists;
+  scene.frame.lists = lists.add(scene.planes, scene.frame, width, {scene.lights, scene.begin}, std::size_t(1) << 26);
+  ASSERT_GT(scene.frame.lists, 0);
+  EXPECT_EQ(0, std::memcmp(all.data(), shaded(scene, lists, 0).data(), all.size() * sizeof(float)));
+  EXPECT_LT(listed(lists, scene.frame), std::int64_t(width) * height * std::int64_t(scene.lights.size()) / 5);
+}
+
 INSTANTIATE_TEST_SUITE_P(LightLists, EveryFacing, testing::Values(FACING_as_stored, FACING_one_sided, FACING_two_sided));
 
 TEST(LightLists, NothingIsListedWhereNothingCanBeCulledOrKept) {
@@ -139,6 +156,38 @@ TEST(LightLists, NothingIsListedWhereNothingCanBeCulledOrKept) {
   EXPECT_EQ(lists.add(scene.planes, scene.frame, width, {scene.lights, scene.begin}, 100), 0);  // no room
   for (LightRecord& light : scene.lights) light.reach = std::numeric_limits<float>::infinity();
   EXPECT_EQ(lists.add(scene.planes, scene.frame, width, {scene.lights, scene.begin}, std::size_t(1) << 24), 0);
+}
+
+TEST(LightLists, LightsBetweenTheSidesOfAStepInDepthAreListedForNeither) {
+  Scene scene = make_scene(FACING_as_stored, 300);
+  LightRecord light = scene.lights[std::size_t(scene.begin[LIGHT_point]) + 1];
+  ASSERT_EQ(light.falloff, FALLOFF_linear);
+  light.range = 0.6f;
+  light.falloff_scale = falloff_scale(light.falloff, 0.3f, light.range);
+  light.reach = light.range * 1.0001f;
+  scene.lights.clear();
+  for (int k = 0; k < 20; ++k) {
+    // Above the low ground, below the high, where columns 40 and 80 step from one to the other.
+    light.position[0] = k % 2 ? 4.0f : 8.0f, light.position[1] = 1.5f, light.position[2] = 0.3f * float(k);
+    scene.lights.push_back(light);
+  }
+  scene.begin = {0, 0, 20, 20};
+  std::copy(scene.begin.begin(), scene.begin.end(), scene.frame.light_begin);
+  LightLists lists;
+  scene.frame.lists = lists.add(scene.planes, scene.frame, width, {scene.lights, scene.begin}, std::size_t(1) << 24);
+  ASSERT_GT(scene.frame.lists, 0);
+  EXPECT_EQ(listed(lists, scene.frame), 0);
+}
+
+TEST(LightLists, ClearedListsAreThoseOfNewOnes) {
+  Scene scene = make_scene(FACING_two_sided, 300);
+  LightLists fresh, again;
+  const SortedLights lights(scene.lights, scene.begin), few(std::span(scene.lights), std::array{0, 3, 40, 40});
+  again.add(scene.planes, scene.frame, width, lights, std::size_t(1) << 24);
+  again.clear();
+  EXPECT_EQ(again.add(scene.planes, scene.frame, width, few, std::size_t(1) << 24),
+            fresh.add(scene.planes, scene.frame, width, few, std::size_t(1) << 24));
+  EXPECT_TRUE(std::equal(again.numbers().begin() + 1, again.numbers().end(), fresh.numbers().begin() + 1, fresh.numbers().end()));
 }
 
 TEST(LightLists, AFrameThatShowsNothingHasEmptyLists) {
