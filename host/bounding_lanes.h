@@ -148,8 +148,10 @@ static inline real whole_below(const real& x) {
 // kernels/math.h's functions. All grow or fall throughout; their rounding is far within the margin that bounds are given at the end.
 #define RELUME_MATH_H
 static inline real exp_of(const real& x) {
-  const Floats high = least(plain::exp_of(x.high), plain::all_lanes(unbounded));
-  return through(x, plain::exp_of(x.low), high, high, high);
+  const Floats end = plain::all_lanes(89.0f);
+  const Floats low = plain::exp_of(plain::smaller(end, x.low)), high = plain::exp_of(plain::smaller(end, x.high));
+  const Floats slope = least(high, plain::all_lanes(unbounded));
+  return through(x, low, slope, slope, slope);
 }
 static inline real log1p_of(const real& x) {
   const Floats inside = plain::all_lanes(-0.999999f), low = most(x.low, inside), slope = 1.0f / (1.0f + low);

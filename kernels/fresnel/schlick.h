@@ -14,7 +14,8 @@ RELUME_FN real schlick_weight(real x) {
 
 RELUME_FN real3 fresnel_schlick(Surface s, real v_h) {
   const real3 f0 = mix3(s.f0, s.albedo, s.metallic);
-  return mix3(f0, s.f90, schlick_weight(v_h));
+  const real m = 1.0f - v_h, m2 = m * m;  // v.h is in 0..1, but for its rounding
+  return mix3(f0, s.f90, m2 * m2 * m);
 }
 
 #endif
