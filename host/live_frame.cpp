@@ -10,6 +10,7 @@
 #include "gbuffer/error.h"
 #include "host/band_frame.h"
 #include "host/json.h"
+#include "host/light_lists.h"
 #include "host/light_reach.h"
 
 namespace relume {
@@ -43,8 +44,7 @@ void LiveFrame::set_lights(std::vector<Light> lights) {
   for (const Light& light : lights) check(light);
   lights_ = std::move(lights);
   held_.reset();
-  shade(light_records(lights_), {}, 0, 0);
-  touched_ = 1;
+  shade_all(light_records(lights_), 0);
 }
 
 void LiveFrame::change_light(std::size_t number, const Light& light) {
@@ -67,8 +67,15 @@ void LiveFrame::change_light(std::size_t number, const Light& light) {
 void LiveFrame::hold(std::size_t number) {
   std::vector<Light> others = lights_;
   others.erase(others.begin() + std::ptrdiff_t(number));
-  shade(light_records(others), {}, sums, 0);
+  shade_all(light_records(others), sums);
   held_ = number;
+}
+
+void LiveFrame::shade_all(const LightRecords& lights, int sums_out) {
+  const SortedLights sorted(lights.records, lights.begin);
+  LightLists lists;
+  const int start = lists.add(gbuffer_.planes, frame_, gbuffer_.window.width(), sorted, LightLists::room_beside(gbuffer_.planes));
+  shade(lights, start > 0 ? lists.numbers() : std::span<const int>(), sums_out, 0);
   touched_ = 1;
 }
 

@@ -44,7 +44,9 @@ class LiveFrame {
 
   void check(const Light& light) const;
   void hold(std::size_t number);
-  /// Shades the lights for all pixels, or for those that `lists` names.
+  /// Each light where it reaches.
+  void shade_all(const LightRecords& lights, int sums_out);
+  /// Shades the lights for all pixels, or for those that meet them by `lists`, where Frame::lists is 1.
   void shade(const LightRecords& lights, std::span<const int> lists, int sums_out, int base);
   std::vector<int> lists_of(const LightRecords& before, const LightRecords& now);
 

@@ -142,6 +142,23 @@ TEST_P(LiveFrames, ShadeWhatARangeReaches) {
   EXPECT_EQ(differences(dragged, fresh), 0);
 }
 
+/// Seven lights are met by all pixels, fourteen by those that they reach.
+TEST_P(LiveFrames, OfManyRangedLightsAreTheSumOfFew) {
+  Scene scene(GetParam());
+  LiveFrame all = scene.frame(), some = scene.frame(), others = scene.frame();
+  std::vector<Light> lights;
+  for (int k = 0; k < 14; ++k) lights.push_back(light_at({std::sin(2.1 * k), std::cos(1.3 * k), 1 + 0.5 * std::sin(0.7 * k)}, 0.4 + 0.1 * k));
+  all.set_lights(lights);
+  some.set_lights({lights.begin(), lights.begin() + 7});
+  others.set_lights({lights.begin() + 7, lights.end()});
+  for (int plane = 0; plane < 3; ++plane)
+    for (std::int64_t i = 0; i < all.window().pixels(); ++i) {
+      const float sum = some.radiance().plane(plane)[i] + others.radiance().plane(plane)[i];
+      ASSERT_NEAR(all.radiance().plane(plane)[i], sum, 1e-5 * (1 + sum));
+    }
+  EXPECT_GT(brightest(all), 0.1);
+}
+
 TEST_P(LiveFrames, TakeAnyChange) {
   Scene scene(GetParam());
   LiveFrame changed = scene.frame(), fresh = scene.frame();
