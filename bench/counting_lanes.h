@@ -5,6 +5,7 @@
 #define RELUME_LANES 1
 #define RELUME_FN [[maybe_unused]] static inline
 #define RELUME_GLOBAL
+#define RELUME_LIGHT
 
 enum class Kind { constant, load, add, multiply, fused, divide, root, compare, select, whole, free };
 

@@ -93,7 +93,7 @@ class OpenClBand : public Band {
     const InForeignCode driver(Foreign::driver);
     const cl::Buffer constants(device_.context(), CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, sizeof frame, const_cast<Frame*>(&frame));
     Kernel& kernel = device_.kernel(entry_names[std::size_t(entry)], choice);
-    const int lanes = device_.info().lanes, local = device_.info().is_cpu ? group : 64;
+    const int lanes = device_.info().lanes, local = lanes > 1 ? group : RELUME_STAGED_ITEMS;
     const std::int64_t unit = std::int64_t(lanes) * local, slice = std::max<std::int64_t>(1, slice_work / work / unit) * unit;
     for (std::int64_t first = 0; first < frame.pixels; first += slice) {
       const std::int64_t pixels = std::min<std::int64_t>(slice, frame.pixels - first);

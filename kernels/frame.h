@@ -36,6 +36,9 @@ typedef struct {
   int component_step;  // floats from a component to the next
 } Field;
 
+/// Work-items of a group that takes its lights into local memory (kernels/staged_lights.h).
+#define RELUME_STAGED_ITEMS 64
+
 /// Pixels of a cell, for which lights are listed together, and the most parts that it is bounded in.
 #define RELUME_CELL_PIXELS 128
 #define RELUME_CELL_PARTS 4

@@ -27,6 +27,11 @@
 #define RELUME_FN static inline __attribute__((always_inline))  // PoCL else calls what is used twice, and passes structs of vectors through memory
 #endif
 #define RELUME_GLOBAL __global
+#ifdef RELUME_STAGED
+#define RELUME_LIGHT __local  // where the light records lie that kernels read: kernels/staged_lights.h
+#else
+#define RELUME_LIGHT __global
+#endif
 
 #if RELUME_LANES == 1
 typedef float real;

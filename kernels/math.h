@@ -9,9 +9,9 @@
 #define RELUME_LN2_HIGH 0.693359375f
 #define RELUME_LN2_LOW -2.12194440e-4f
 
-/// e^x for x up to 89, within 1.2 ulp; 0 below 2^-90 (x < -62.4), infinity from 88.73, NaN for NaN. A lobe that is 1e27 times weaker than at its peak is not seen,
-/// and products of smaller numbers would be denormal, with which processors take ten times as long.
-/// x = n ln 2 + r with |r| <= ln 2/2; the polynomial's own error is 3e-9. It is summed in pairs (Estrin 1960): the loop over lights waits for it.
+/// e^x for x up to 89, within 1.2 ulp; 0 below 2^-90 (x < -62.4), infinity from 88.73, NaN for NaN. A lobe that is 1e27 times weaker than at its peak
+/// is not seen, and products of smaller numbers would be denormal, with which processors take ten times as long. x = n ln 2 + r with |r| <= ln 2/2;
+/// the polynomial's own error is 3e-9. It is summed in pairs (Estrin 1960): the loop over lights waits for it.
 RELUME_FN real exp_of(real x) {
   const real shifted = fused(x, all_lanes(1.44269504f), all_lanes(12582912.0f));  // 1.5 2^23: rounds to a whole number, in the lowest bits
   const real n = shifted - 12582912.0f;

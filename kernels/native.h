@@ -3,6 +3,7 @@
 // before it. Built-ins rather than std:: functions: an inline function compiled here for AVX-512 must not be the one the linker keeps for everybody.
 #define RELUME_FN [[maybe_unused]] static inline
 #define RELUME_GLOBAL
+#define RELUME_LIGHT
 
 #if RELUME_LANES == 1
 typedef float real;

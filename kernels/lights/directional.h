@@ -4,7 +4,7 @@
 
 #include "kernels/lights/incident.h"
 
-RELUME_FN Incident light_directional(RELUME_GLOBAL const LightRecord* light, real3 position) {
+RELUME_FN Incident light_directional(RELUME_LIGHT const LightRecord* light, real3 position) {
   (void)position;
   Incident in;
   in.l = real3_of(all_lanes(-light->direction[0]), all_lanes(-light->direction[1]), all_lanes(-light->direction[2]));

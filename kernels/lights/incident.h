@@ -10,7 +10,7 @@ typedef struct {
   real share;  // of the intensity that arrives: times it, the irradiance on a surface that faces the light
 } Incident;
 
-RELUME_FN real3 light_intensity(RELUME_GLOBAL const LightRecord* light) {
+RELUME_FN real3 light_intensity(RELUME_LIGHT const LightRecord* light) {
   return real3_of(all_lanes(light->intensity[0]), all_lanes(light->intensity[1]), all_lanes(light->intensity[2]));
 }
 

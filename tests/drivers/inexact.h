@@ -16,6 +16,7 @@
 #define RELUME_LANGUAGE_H  // what follows stands in for kernels/language.h
 #define RELUME_FN [[maybe_unused]] static inline
 #define RELUME_GLOBAL
+#define RELUME_LIGHT
 
 namespace relume::inexact {
 
