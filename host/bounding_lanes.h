@@ -148,11 +148,10 @@ static inline real whole_below(const real& x) {
 // kernels/math.h's functions. All grow or fall throughout; their rounding is far within the margin that bounds are given at the end.
 #define RELUME_MATH_H
 static inline real exp_of(const real& x) {
-  const Floats end = plain::all_lanes(89.0f);
-  const Floats low = plain::exp_of(plain::smaller(end, x.low)), high = plain::exp_of(plain::smaller(end, x.high));
-  const Floats slope = least(high, plain::all_lanes(unbounded));
-  return through(x, low, slope, slope, slope);
+  const Floats high = least(plain::exp_of(x.high), plain::all_lanes(unbounded));
+  return through(x, plain::exp_of(x.low), high, high, high);
 }
+static inline real exp_up_to_89(const real& x) { return exp_of(x); }
 static inline real log1p_of(const real& x) {
   const Floats inside = plain::all_lanes(-0.999999f), low = most(x.low, inside), slope = 1.0f / (1.0f + low);
   return through(x, plain::log1p_of(low), plain::log1p_of(most(x.high, inside)), slope, slope * slope);

@@ -3,6 +3,9 @@
 
 namespace relume {
 
+/// The kernels compute squared distances and cosines within some 4e-7 of themselves; this is a wide berth.
+constexpr float reach_margin = 1e-4f;
+
 /// Arrays that are read to a multiple of 16; lights of the padding have a range2 below 0, and reach nothing.
 struct LightColumns {
   const float *x, *y, *z;                                 ///< positions; of a directional light the way to it

@@ -15,7 +15,6 @@ namespace relume {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float margin = 1e-4f;  ///< a wide berth around what rounding makes of distances
 
 /// Space for numbers, held by each thread.
 std::vector<int>& scratch(std::size_t size) {
@@ -153,7 +152,7 @@ LightReach LightReach::spheres_around(int count) const {
       diagonal2 += (box.high[c] - box.low[c]) * (box.high[c] - box.low[c]);
     }
     const float reach = 0.5f * std::sqrt(diagonal2) + std::sqrt(farthest);
-    sphere[w] = 1, sphere[range2] = reach * reach * (1 + margin);
+    sphere[w] = 1, sphere[range2] = reach * reach * (1 + reach_margin);
     spheres.add(int(first) / count, sphere);
   }
   spheres.pad();

@@ -3,9 +3,6 @@
 #include "kernels/frame.h"
 #include "kernels/vector.h"
 
-/// The kernels compute squared distances and cosines within some 4e-7 of themselves; this is a wide berth.
-constexpr float margin = 1e-4f;
-
 struct Sphere {
   float centre[3], radius;
 };
@@ -37,7 +34,7 @@ RELUME_FN mask cone_meets(const LightColumns& l, int i, const Sphere& s) {
   const real x = s.centre[0] - load(l.x + i), y = s.centre[1] - load(l.y + i), z = s.centre[2] - load(l.z + i);
   const real along = x * load(l.axis_x + i) + y * load(l.axis_y + i) + z * load(l.axis_z + i);
   const real across = square_root(larger(squared_length(x, y, z) - along * along, all_lanes(0.0f)));
-  const real slack = s.radius + margin * (s.radius + absolute(x) + absolute(y) + absolute(z));
+  const real slack = s.radius + reach_margin * (s.radius + absolute(x) + absolute(y) + absolute(z));
   return !(load(l.cosine + i) * across - load(l.sine + i) * along > slack);
 }
 
@@ -55,7 +52,7 @@ RELUME_FN mask is_in_front(const LightColumns& l, int i, const PixelBounds& b) {
   const real most = larger(b.normal_low[0] * dx, b.normal_high[0] * dx) + larger(b.normal_low[1] * dy, b.normal_high[1] * dy) +
                     larger(b.normal_low[2] * dz, b.normal_high[2] * dz);
   const float extent = (b.high[0] - b.low[0]) + (b.high[1] - b.low[1]) + (b.high[2] - b.low[2]);
-  return !(most - w * b.deepest < -margin * (absolute(dx) + absolute(dy) + absolute(dz) + extent));
+  return !(most - w * b.deepest < -reach_margin * (absolute(dx) + absolute(dy) + absolute(dz) + extent));
 }
 
 /// A bit for each lane of the mask, the first lowest.

@@ -9,12 +9,11 @@
 namespace relume {
 
 PixelBounds no_bounds();
-inline bool is_empty(const PixelBounds& bounds) { return !(bounds.low[0] <= bounds.high[0]); }
 /// Makes the box of positions hold the other's too; the rest is left alone.
 void include_positions(PixelBounds& bounds, const PixelBounds& other);
 
-/// A band's pixels by lane blocks: 16 pixels that follow one another in memory, the widest that any device shades at once. Cells are up to four rows
-/// of blocks, tiles four cells, super-tiles sixteen tiles (64 x 64 pixels). A row's last block may reach into the next row: no pixel is in two.
+/// A band's pixels by lane blocks: 16 pixels that follow one another in memory, the widest that any device shades at once. Cells are up to eight rows
+/// of blocks, tiles two cells, super-tiles sixteen tiles (64 x 64 pixels). A row's last block may reach into the next row: no pixel is in two.
 class PixelCells {
  public:
   static constexpr int block = RELUME_LISTED_PIXELS, cell_rows = RELUME_CELL_PIXELS / block, tile_rows = 16, super_rows = 64, super_columns = 4;

@@ -18,8 +18,7 @@
 /// For the same reason a light's direction is worked out while the one before it is met. What reaches no lane is left out without a branch that could
 /// be mispredicted. Each member of the cosines has its own array, so that one which no lobe reads is dropped.
 RELUME_FN Radiance direct_light(Choice choice, RELUME_GLOBAL const Frame* frame, RELUME_GLOBAL const LightRecord* lights,
-                                RELUME_GLOBAL const int* lists, Surface s, Seen seen, mask mine, Radiance sum, int i) {
-  (void)mine;
+                                RELUME_GLOBAL const int* lists, Surface s, Seen seen, Radiance sum, int i) {
   const int listed = frame->lists > 0;
   RELUME_GLOBAL const int* own = lists + (listed ? frame->lists + 2 * (i / RELUME_LISTED_PIXELS) : 0);
   const int end = listed ? own[1] : frame->light_begin[LIGHT_COUNT];

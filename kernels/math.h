@@ -9,10 +9,10 @@
 #define RELUME_LN2_HIGH 0.693359375f
 #define RELUME_LN2_LOW -2.12194440e-4f
 
-/// e^x for x up to 89, within 1.2 ulp; 0 below 2^-90 (x < -62.4), infinity from 88.73, NaN for NaN. A lobe that is 1e27 times weaker than at its peak
+/// e^x for x up to 89, within 1.2 ulp; 0 below 2^-90 (x < -62.4), NaN for NaN. A lobe that is 1e27 times weaker than at its peak
 /// is not seen, and products of smaller numbers would be denormal, with which processors take ten times as long. x = n ln 2 + r with |r| <= ln 2/2;
 /// the polynomial's own error is 3e-9. It is summed in pairs (Estrin 1960): the loop over lights waits for it.
-RELUME_FN real exp_of(real x) {
+RELUME_FN real exp_up_to_89(real x) {
   const real shifted = fused(x, all_lanes(1.44269504f), all_lanes(12582912.0f));  // 1.5 2^23: rounds to a whole number, in the lowest bits
   const real n = shifted - 12582912.0f;
   const real r = fused(n, all_lanes(-RELUME_LN2_LOW), fused(n, all_lanes(-RELUME_LN2_HIGH), x));
@@ -23,6 +23,9 @@ RELUME_FN real exp_of(real x) {
   const real twice = 2.0f + fused(r2, second, 2.0f * r);
   return choose(x < -62.383246f, all_lanes(0.0f), twice * as_real((as_integer(shifted) + 126) << 23));
 }
+
+/// e^x for every x: infinity from 88.73.
+RELUME_FN real exp_of(real x) { return exp_up_to_89(smaller(all_lanes(89.0f), x)); }  // NaN stays NaN
 
 /// ln(1 + x) within 1.8 ulp of the result for every finite x > -1, however small or large; NaN for NaN.
 /// 1 + x = 2^k (1 + f) with f in sqrt(1/2)-1..sqrt(2)-1. f comes from x, not from the rounded 1 + x, so that nothing is lost near 0.

@@ -12,11 +12,11 @@
 // Where lights are staged all work-items of a group meet at barriers: none returns before.
 #ifdef RELUME_STAGED
 #define RELUME_STAGE_PARAMETER , __local Stage* stage
-#define RELUME_STAGE_ARGUMENT , stage
+#define RELUME_STAGE_ARGUMENTS , mine, stage
 #define RELUME_MAY_RETURN 0
 #else
 #define RELUME_STAGE_PARAMETER
-#define RELUME_STAGE_ARGUMENT
+#define RELUME_STAGE_ARGUMENTS
 #define RELUME_MAY_RETURN 1
 #endif
 
@@ -60,7 +60,7 @@ RELUME_FN void shade_pixels(Choice choice, RELUME_GLOBAL const float* planes, RE
   seen.diffuse = front | as_stored;
   seen.specular = front;
   const int stride = frame->out_stride;
-  Radiance sum = direct_light(choice, frame, lights, lists, s, seen, mine, sums_so_far(frame, out, i), i RELUME_STAGE_ARGUMENT);
+  Radiance sum = direct_light(choice, frame, lights, lists, s, seen, sums_so_far(frame, out, i), i RELUME_STAGE_ARGUMENTS);
   if (frame->sums > 0) {
     store_where(mine, sum.diffuse, out, stride, frame->sums, i);
     store_where(mine, sum.specular, out, stride, frame->sums + 3, i);

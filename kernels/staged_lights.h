@@ -28,7 +28,7 @@ RELUME_FN int longest_of_group(RELUME_GLOBAL const Frame* frame, RELUME_GLOBAL c
 
 /// `sum` with the lights of the pixel's list, or with all, where it is `mine`. Every work-item of the group calls this, whatever it shows.
 RELUME_FN Radiance direct_light(Choice choice, RELUME_GLOBAL const Frame* frame, RELUME_GLOBAL const LightRecord* lights,
-                                RELUME_GLOBAL const int* lists, Surface s, Seen seen, mask mine, Radiance sum, int i, __local Stage* stage) {
+                                RELUME_GLOBAL const int* lists, Surface s, Seen seen, Radiance sum, int i, mask mine, __local Stage* stage) {
   const int item = (int)get_local_id(0), slot = item % RELUME_LISTED_PIXELS, listed = frame->lists > 0;
   const int begin = !listed ? frame->light_begin[0] : i < frame->pixels ? lists[frame->lists + 2 * (i / RELUME_LISTED_PIXELS)] : 0;
   const int count = listed ? listed_for(frame, lists, i) : frame->light_begin[LIGHT_COUNT] - begin;

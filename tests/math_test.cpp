@@ -60,6 +60,7 @@ TEST(Math, ExponentialAtItsEnds) {
   EXPECT_GT(kernel::exp_of(-62.38f), 8e-28f);
   EXPECT_LE(kernel::exp_of(88.72283f), std::numeric_limits<float>::max());
   EXPECT_EQ(kernel::exp_of(88.73f), kInfinity);
+  EXPECT_EQ(kernel::exp_of(kInfinity), kInfinity);
   EXPECT_TRUE(std::isnan(kernel::exp_of(kNan)));
 }
 

@@ -13,7 +13,7 @@ RELUME_FN real beckmann_distribution(Cosines c, real alpha) {
   const real scale = 1.0f / (alpha * alpha);
   // Where tan^2 is beyond 1e8 the exponential is 0 for every alpha up to 1000, and (1 + tan^2)^2 must not overflow against it.
   const real tan2 = smaller(c.tan2_h, all_lanes(1e8f));
-  return (scale * RELUME_INVERSE_PI) * exp_of(tan2 * -scale) * squared(1.0f + tan2);
+  return (scale * RELUME_INVERSE_PI) * exp_up_to_89(tan2 * -scale) * squared(1.0f + tan2);
 }
 
 /// Lambda(w) as a fraction, from G1 = 1/(1 + Lambda) = (3.535 a + 2.181 a^2)/(1 + 2.276 a + 2.577 a^2) for a = 1/(alpha tan) < 1.6, else 1.
