@@ -80,7 +80,7 @@ Group group_of(const BenchDevice& device, Size size) {
       const auto frame = std::make_shared<ResidentFrame>(scene.source, material_named("lambert_original+blinn_phong"));
       frame->set_lights(scene.lights);
       const TileStatistics tiles = tile_statistics(frame->gbuffer(), scene.lights);
-      made.push_back(culled_subject(name_of("ranged", lights, device), frame, device.open(), device.roof(), tiles.in_range));
+      made.push_back(culled_subject(name_of("ranged", lights, device), frame, device.open(), device.roof(), tiles.in_range, Bounds::anew));
       made.back().work.pixel_lights = {{"in range", tiles.in_range}, {"culled", tiles.culled}, {"brute", tiles.brute}};
     }
     return made;

@@ -17,7 +17,8 @@ Planes shaded(Device& device, const ResidentFrame& resident, int pixels, bool cu
   Planes out = resident.make_out();
   Frame frame = resident.frame();
   LightLists lists;
-  frame.lists = culled ? resident.list_lights(lists) : 0;
+  FrameBounds bounds = resident.bounds();
+  frame.lists = culled ? resident.list_lights(lists, bounds) : 0;
   frame.pixels = pixels;
   const auto band = device.bind(resident.data(out, lists.numbers()));
   band->shade(resident.choice(), frame, {});

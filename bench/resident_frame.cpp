@@ -48,11 +48,11 @@ void ResidentFrame::set_lights(const std::vector<Light>& lights, double error) {
   std::copy(lights_.begin.begin(), lights_.begin.end(), frame_.light_begin);
 }
 
-int ResidentFrame::list_lights(LightLists& lists) const {
+int ResidentFrame::list_lights(LightLists& lists, FrameBounds& bounds) const {
   if (!tree_.empty())
-    return lists.add(gbuffer_.planes, frame_, gbuffer_.window.width(), sorted_, LightCuts(tree_, {&choice_, 1}, tables_, error_),
+    return lists.add(bounds, sorted_, LightCuts(tree_, {&choice_, 1}, tables_, error_),
                      LightLists::room_beside(gbuffer_.planes) + LightLists::room_for_cuts(gbuffer_.planes));
-  return lists.add(gbuffer_.planes, frame_, gbuffer_.window.width(), sorted_, LightLists::room_beside(gbuffer_.planes));
+  return lists.add(bounds, sorted_, LightLists::room_beside(gbuffer_.planes));
 }
 
 Planes ResidentFrame::make_out() const {

@@ -38,8 +38,10 @@ class ResidentFrame {
   Planes make_out() const;
   /// `lists`: of list_lights, where Frame::lists says so.
   BandData data(Planes& out, std::span<const int> lists = {}) const { return {&gbuffer_.planes, records_, lists, tables_, &out}; }
+  /// What bounds the pixels: nothing yet.
+  FrameBounds bounds() const { return {gbuffer_.planes, frame_, gbuffer_.window.width()}; }
   /// Which lights can reach which pixels, worked out anew: what Frame::lists is to be.
-  int list_lights(LightLists& lists) const;
+  int list_lights(LightLists& lists, FrameBounds& bounds) const;
 
  private:
   GBuffer gbuffer_;

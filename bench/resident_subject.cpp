@@ -4,6 +4,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <optional>
 #include <thread>
 
 #include "bench/image_check.h"
@@ -53,17 +54,19 @@ Subject resident_subject(const std::string& name, const std::shared_ptr<const Re
 
 namespace {
 
-/// Lists made anew in each go.
+/// Lists made anew in each go, and bounds unless they are held.
 Subject listed_subject(const std::string& name, const std::shared_ptr<const ResidentFrame>& frame, const std::shared_ptr<Device>& device,
-                       const Roof& roof, double lit_pairs, const std::string& verdict) {
+                       const Roof& roof, double lit_pairs, const std::string& verdict, Bounds bounds) {
   const auto out = std::make_shared<Planes>(frame->make_out());
   const int threads = std::clamp(roof.threads, 1, int(std::max(1u, std::thread::hardware_concurrency())));
   const auto arena = std::make_shared<tbb::task_arena>(threads);  // lists are made on as many threads as the device has
   const auto lists = std::make_shared<LightLists>();
+  const auto held = std::make_shared<std::optional<FrameBounds>>();
   const auto shade = [=] {
     lists->clear();
+    if (!*held || bounds == Bounds::anew) held->emplace(frame->bounds());
     Frame listed = frame->frame();
-    listed.lists = frame->list_lights(*lists);
+    listed.lists = frame->list_lights(*lists, **held);
     const auto band = device->bind(frame->data(*out, lists->numbers()));
     band->shade(frame->choice(), listed, {});
     band->finish();
@@ -74,17 +77,18 @@ Subject listed_subject(const std::string& name, const std::shared_ptr<const Resi
 }  // namespace
 
 Subject culled_subject(const std::string& name, const std::shared_ptr<const ResidentFrame>& frame, const std::shared_ptr<Device>& device,
-                       const Roof& roof, double lit_pairs) {
-  return listed_subject(name, frame, device, roof, lit_pairs, check_culled_image(*device, *frame));
+                       const Roof& roof, double lit_pairs, Bounds bounds) {
+  return listed_subject(name, frame, device, roof, lit_pairs, check_culled_image(*device, *frame), bounds);
 }
 
 Subject cut_subject(const std::string& name, const std::shared_ptr<const ResidentFrame>& frame, const std::shared_ptr<Device>& device,
                     const Roof& roof, double error) {
   LightLists lists;
+  FrameBounds bounds = frame->bounds();
   Frame listed = frame->frame();
-  listed.lists = frame->list_lights(lists);
+  listed.lists = frame->list_lights(lists, bounds);
   const double met = double(lights_met(listed, lists.numbers())) * double(frame->gbuffer().surface_pixels);
-  Subject subject = listed_subject(name, frame, device, roof, met, check_cut_image(*device, *frame, error));
+  Subject subject = listed_subject(name, frame, device, roof, met, check_cut_image(*device, *frame, error), Bounds::anew);
   subject.work.pixel_lights.push_back({"met", met});
   return subject;
 }

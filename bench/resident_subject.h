@@ -20,9 +20,13 @@ Work work_of(const ResidentFrame& frame, double lit_pairs);
 Subject resident_subject(const std::string& name, const std::shared_ptr<const ResidentFrame>& frame, const std::shared_ptr<Device>& device,
                          const Roof& roof);
 
-/// Lights culled anew in each go, as for a frame that is seen once. `lit_pairs` as for work_of.
+/// What bounds a frame's pixels, which culling asks: worked out in each go, as for a frame that is seen once, or in the first, as for one that stays
+/// while its lights change.
+enum class Bounds { anew, held };
+
+/// Lights culled anew in each go. `lit_pairs` as for work_of.
 Subject culled_subject(const std::string& name, const std::shared_ptr<const ResidentFrame>& frame, const std::shared_ptr<Device>& device,
-                       const Roof& roof, double lit_pairs);
+                       const Roof& roof, double lit_pairs, Bounds bounds);
 
 /// Lights met through a light tree, cut anew in each go; the tree is made once.
 Subject cut_subject(const std::string& name, const std::shared_ptr<const ResidentFrame>& frame, const std::shared_ptr<Device>& device,

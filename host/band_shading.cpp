@@ -105,16 +105,17 @@ void BandShading::shade(GBuffer& gbuffer, Planes& out, Stopwatch& watch, const P
 /// Each group's Frame::lists.
 std::vector<int> BandShading::list_lights(const GBuffer& gbuffer, const Frame& frame, std::span<const Choice> programs, LightLists& lists) const {
   const std::size_t most = LightLists::room_beside(gbuffer.planes);
+  FrameBounds bounds(gbuffer.planes, frame, gbuffer.window.width());
   std::vector<int> starts;
   for (std::size_t g = 0; g < sorted_.size(); ++g) {
     Frame of_group = frame;
     std::copy(lights_.groups()[g].begin.begin(), lights_.groups()[g].begin.end(), of_group.light_begin);
     if (trees_[g].empty()) {
-      starts.push_back(lists.add(gbuffer.planes, frame, gbuffer.window.width(), sorted_[g], most));
+      starts.push_back(lists.add(bounds, sorted_[g], most));
       continue;
     }
     const LightCuts cuts(trees_[g], programs, binding_.tables(), error_);
-    of_group.lists = lists.add(gbuffer.planes, frame, gbuffer.window.width(), sorted_[g], cuts, most + LightLists::room_for_cuts(gbuffer.planes));
+    of_group.lists = lists.add(bounds, sorted_[g], cuts, most + LightLists::room_for_cuts(gbuffer.planes));
     starts.push_back(of_group.lists);
     statistics_.pixels += frame.pixels, statistics_.met += frame.pixels * lights_met(of_group, lists.numbers());
     if (of_group.lists == 0) statistics_.exact += frame.pixels;

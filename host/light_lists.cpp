@@ -5,9 +5,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <initializer_list>
-
-#include "host/cell_bounds.h"
 
 namespace relume {
 
@@ -146,7 +145,7 @@ LightReach reach_without(std::span<const LightRecord> lights, std::span<const in
 }  // namespace
 
 SortedLights::SortedLights(std::span<const LightRecord> lights, std::span<const int, LIGHT_COUNT + 1> begin, const LightTree& tree)
-    : reach(reach_without(lights, begin, tree)), spheres(reach.spheres_around(clustered)), widest_box(0.5f * reach.median_reach()) {}
+    : reach(reach_without(lights, begin, tree)), spheres(reach.spheres_around(clustered)), widest_box(std::exp2(std::round(std::log2(0.5f * reach.median_reach())))) {}
 
 /// Behind what there is: for each block where its list begins and ends, then the lists. Returns where that starts.
 int LightLists::append(const PixelCells& pixels, const std::vector<Listed>& listed) {
@@ -170,18 +169,18 @@ int LightLists::append(const PixelCells& pixels, const std::vector<Listed>& list
   return int(start);
 }
 
-int LightLists::add(const Planes& planes, const Frame& frame, int width, const SortedLights& lights, std::size_t most) {
+int LightLists::add(FrameBounds& bounds, const SortedLights& lights, std::size_t most) {
   if (!lights.reach.any_bounded() || lights.reach.size() < too_few) return 0;
-  return add_lists(planes, frame, width, lights, nullptr, most);
+  return add_lists(bounds, lights, nullptr, most);
 }
 
-int LightLists::add(const Planes& planes, const Frame& frame, int width, const SortedLights& lights, const LightCuts& cuts, std::size_t most) {
-  return add_lists(planes, frame, width, lights, &cuts, most);
+int LightLists::add(FrameBounds& bounds, const SortedLights& lights, const LightCuts& cuts, std::size_t most) {
+  return add_lists(bounds, lights, &cuts, most);
 }
 
-int LightLists::add_lists(const Planes& planes, const Frame& frame, int width, const SortedLights& lights, const LightCuts* cuts, std::size_t most) {
-  const PixelCells pixels(planes, frame, width);
-  const CellBounds bounds(pixels, lights.widest_box);
+int LightLists::add_lists(FrameBounds& frame_bounds, const SortedLights& lights, const LightCuts* cuts, std::size_t most) {
+  const PixelCells& pixels = frame_bounds.pixels();
+  const CellBounds& bounds = frame_bounds.split_at(lights.widest_box);
   const int count = pixels.super_tiles_across() * pixels.super_tiles_down();
   for (const Sharing sharing : {Sharing::cell, Sharing::tile, Sharing::super_tile}) {
     std::vector<Listed> listed{std::size_t(count)};

@@ -10,6 +10,7 @@
 
 #include "gbuffer/planes.h"
 #include "host/frame.h"
+#include "host/frame_bounds.h"
 #include "host/light_cuts.h"
 #include "host/light_reach.h"
 
@@ -28,7 +29,8 @@ struct SortedLights {
 
   LightReach reach;    ///< neighbours in space together
   LightReach spheres;  ///< around each `clustered` of them
-  /// Boxes around pixels are split where they are longer: some half a light's reach, from where on lights fit into what is empty of a box.
+  /// Boxes around pixels are split where they are longer: some half a light's reach, from where on lights fit into what is empty of a box. A power of
+  /// two, so that bounds can be kept while lights change (host/frame_bounds.h).
   float widest_box = 0;
 };
 
@@ -40,11 +42,11 @@ class LightLists {
   /// Nothing is listed: every light is met by every pixel.
   LightLists() = default;
 
-  /// Lists the lights for the pixels of `frame`, whose rows are `width` long. At most `most` numbers are kept: where
-  /// lights are dense, larger groups of pixels share a list. Returns what Frame::lists is to be: 0 where nothing can be culled, or no list fits.
-  int add(const Planes& planes, const Frame& frame, int width, const SortedLights& lights, std::size_t most);
+  /// Lists the lights for the pixels that are bounded. At most `most` numbers are kept: where lights are dense, larger groups of pixels share a
+  /// list. Returns what Frame::lists is to be: 0 where nothing can be culled, or no list fits.
+  int add(FrameBounds& bounds, const SortedLights& lights, std::size_t most);
   /// With cuts through a light tree, tile by tile, behind the lights that are listed. Where they do not fit, 0: every light is met.
-  int add(const Planes& planes, const Frame& frame, int width, const SortedLights& lights, const LightCuts& cuts, std::size_t most);
+  int add(FrameBounds& bounds, const SortedLights& lights, const LightCuts& cuts, std::size_t most);
 
   /// Nothing is listed any more; the memory stays, for the lights of another moment.
   void clear() { size_ = 1; }
@@ -60,7 +62,7 @@ class LightLists {
 
  private:
   int append(const PixelCells& pixels, const std::vector<Listed>& listed);
-  int add_lists(const Planes& planes, const Frame& frame, int width, const SortedLights& lights, const LightCuts* cuts, std::size_t most);
+  int add_lists(FrameBounds& bounds, const SortedLights& lights, const LightCuts* cuts, std::size_t most);
 
   std::unique_ptr<int[]> numbers_ = std::make_unique<int[]>(1);  // a Frame whose `lists` is 0 has none
   std::size_t capacity_ = 1, size_ = 1;

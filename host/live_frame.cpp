@@ -4,13 +4,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <iterator>
-#include <limits>
+#include <atomic>
 
 #include "gbuffer/error.h"
 #include "host/band_frame.h"
 #include "host/json.h"
-#include "host/light_lists.h"
 #include "host/light_reach.h"
 
 namespace relume {
@@ -22,15 +20,7 @@ LiveFrame::LiveFrame(Device& device, GBuffer gbuffer, const Binding& binding, co
   frame_.nodes = binding.ambient_nodes_begin();
   frame_.node_count = binding.ambient_node_count();
   binding.bind(gbuffer_, *reading.camera, frame_);
-  const PixelCells pixels(gbuffer_.planes, frame_, gbuffer_.window.width());
-  std::vector<std::vector<std::pair<std::vector<int>, PixelBounds>>> rows(std::size_t(pixels.cells_down()));
-  tbb::parallel_for(std::size_t(0), rows.size(), [&](std::size_t row) {
-    const int y = int(row) * PixelCells::cell_rows;
-    for (int column = 0; column < pixels.columns(); ++column)
-      if (PixelBounds bounds; pixels.bound(y, column, std::numeric_limits<float>::infinity(), &bounds))
-        rows[row].emplace_back(pixels.blocks_of_cell(y, column), bounds);
-  });
-  for (auto& row : rows) cells_.insert(cells_.end(), std::make_move_iterator(row.begin()), std::make_move_iterator(row.end()));
+  bounds_.emplace(gbuffer_.planes, frame_, gbuffer_.window.width());
 }
 
 void LiveFrame::check(const Light& light) const {
@@ -73,9 +63,9 @@ void LiveFrame::hold(std::size_t number) {
 
 void LiveFrame::shade_all(const LightRecords& lights, int sums_out) {
   const SortedLights sorted(lights.records, lights.begin);
-  LightLists lists;
-  const int start = lists.add(gbuffer_.planes, frame_, gbuffer_.window.width(), sorted, LightLists::room_beside(gbuffer_.planes));
-  shade(lights, start > 0 ? lists.numbers() : std::span<const int>(), sums_out, 0);
+  lists_.clear();
+  const int start = lists_.add(*bounds_, sorted, LightLists::room_beside(gbuffer_.planes));
+  shade(lights, start > 0 ? lists_.numbers() : std::span<const int>(), sums_out, 0);
   touched_ = 1;
 }
 
@@ -85,26 +75,27 @@ std::vector<int> LiveFrame::lists_of(const LightRecords& before, const LightReco
   std::vector<int> numbers(1 + 2 * blocks, -1);  // Frame::lists is 1: 0 would mean none
   const int empty = int(numbers.size());
   numbers.push_back(0);
-  std::vector<char> reached(cells_.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, cells_.size(), 256), [&](const auto& range) {
+  const CellBounds& cells = bounds_->last();
+  std::atomic<std::size_t> touched = 0;
+  tbb::parallel_for(0, bounds_->pixels().cells_down(), [&](int row) {
     thread_local std::vector<int> found;
-    for (std::size_t k = range.begin(); k < range.end(); ++k) {
+    const auto reaches = [&](const LightReach& reach, std::span<const PixelBounds> cell) {
       found.clear();
-      reach_now.add_lighting({&cells_[k].second, 1}, found);
-      const bool lit = !found.empty();
-      reach_before.add_lighting({&cells_[k].second, 1}, found);
-      reached[k] = lit ? 2 : !found.empty();
+      reach.add_lighting(cell, found);
+      return !found.empty();
+    };
+    for (int column = 0; column < bounds_->pixels().columns(); ++column) {
+      const std::span<const PixelBounds> cell = cells.of(row, column);
+      if (cell.empty()) continue;
+      const bool lit = reaches(reach_now, cell);
+      if (!lit && !reaches(reach_before, cell)) continue;
+      for (const int block : bounds_->pixels().blocks_of_cell(row * PixelCells::cell_rows, column)) {
+        numbers[1 + 2 * std::size_t(block)] = empty;
+        numbers[2 + 2 * std::size_t(block)] = empty + lit;
+        ++touched;
+      }
     }
   });
-  std::size_t touched = 0;
-  for (std::size_t k = 0; k < cells_.size(); ++k) {
-    if (!reached[k]) continue;
-    for (const int block : cells_[k].first) {
-      numbers[1 + 2 * std::size_t(block)] = empty;
-      numbers[2 + 2 * std::size_t(block)] = empty + (reached[k] == 2);
-      ++touched;
-    }
-  }
   touched_ = blocks ? double(touched) / double(blocks) : 0;
   return numbers;
 }

@@ -15,8 +15,9 @@
 #include "gbuffer/gbuffer.h"
 #include "host/binding.h"
 #include "host/device.h"
+#include "host/frame_bounds.h"
+#include "host/light_lists.h"
 #include "host/light_records.h"
-#include "host/pixel_cells.h"
 
 namespace relume {
 
@@ -25,6 +26,8 @@ class LiveFrame {
   /// All pixels of a frame (gbuffer/gbuffer.h) and what their materials are (host/binding.h). `device`, `binding` and `reading` outlive it. Bits of
   /// the device's memory: the G-buffer's planes and 12 more.
   LiveFrame(Device& device, GBuffer gbuffer, const Binding& binding, const Reading& reading);
+  LiveFrame(const LiveFrame&) = delete;
+  LiveFrame& operator=(const LiveFrame&) = delete;
 
   /// Other lights altogether. Error{input} for lights that are linked to objects, and for ambient fractions: these need more than pixels know.
   void set_lights(std::vector<Light> lights);
@@ -55,7 +58,8 @@ class LiveFrame {
   GBuffer gbuffer_;
   Planes out_;
   Frame frame_;
-  std::vector<std::pair<std::vector<int>, PixelBounds>> cells_;  ///< the blocks of each cell that shows a surface, and its bounds
+  std::optional<FrameBounds> bounds_;  ///< of gbuffer_ and frame_
+  LightLists lists_;                   ///< their memory is used again
   std::vector<Light> lights_;
   std::optional<std::size_t> held_;
   double touched_ = 0;

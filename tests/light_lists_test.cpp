@@ -122,7 +122,8 @@ TEST_P(EveryFacing, ListsChangeNoBit) {
     Scene scene = make_scene(GetParam(), 300);
     const std::vector<float> all = shaded(scene, {}, 0);
     LightLists lists;
-    scene.frame.lists = lists.add(scene.planes, scene.frame, width, {scene.lights, scene.begin}, most);
+  FrameBounds bounds(scene.planes, scene.frame, width);
+    scene.frame.lists = lists.add(bounds, {scene.lights, scene.begin}, most);
     ASSERT_GT(scene.frame.lists, 0) << most;
     EXPECT_LE(lists.numbers().size(), most + 1);
     for (const int lanes : twin_lanes())
@@ -142,7 +143,8 @@ TEST_P(EveryFacing, ListsOfSmallCellsChangeNoBit) {
     for (float& place : light.position) place = some(random);
   const std::vector<float> all = shaded(scene, {}, 0);
   LightLists lists;
-  scene.frame.lists = lists.add(scene.planes, scene.frame, width, {scene.lights, scene.begin}, std::size_t(1) << 26);
+  FrameBounds bounds(scene.planes, scene.frame, width);
+  scene.frame.lists = lists.add(bounds, {scene.lights, scene.begin}, std::size_t(1) << 26);
   ASSERT_GT(scene.frame.lists, 0);
   EXPECT_EQ(0, std::memcmp(all.data(), shaded(scene, lists, 0).data(), all.size() * sizeof(float)));
   EXPECT_LT(listed(lists, scene.frame), std::int64_t(width) * height * std::int64_t(scene.lights.size()) / 5);
@@ -153,9 +155,10 @@ INSTANTIATE_TEST_SUITE_P(LightLists, EveryFacing, testing::Values(FACING_as_stor
 TEST(LightLists, NothingIsListedWhereNothingCanBeCulledOrKept) {
   Scene scene = make_scene(FACING_as_stored, 300);
   LightLists lists;
-  EXPECT_EQ(lists.add(scene.planes, scene.frame, width, {scene.lights, scene.begin}, 100), 0);  // no room
+  FrameBounds bounds(scene.planes, scene.frame, width);
+  EXPECT_EQ(lists.add(bounds, {scene.lights, scene.begin}, 100), 0);  // no room
   for (LightRecord& light : scene.lights) light.reach = std::numeric_limits<float>::infinity();
-  EXPECT_EQ(lists.add(scene.planes, scene.frame, width, {scene.lights, scene.begin}, std::size_t(1) << 24), 0);
+  EXPECT_EQ(lists.add(bounds, {scene.lights, scene.begin}, std::size_t(1) << 24), 0);
 }
 
 TEST(LightLists, LightsBetweenTheSidesOfAStepInDepthAreListedForNeither) {
@@ -174,27 +177,36 @@ TEST(LightLists, LightsBetweenTheSidesOfAStepInDepthAreListedForNeither) {
   scene.begin = {0, 0, 20, 20};
   std::copy(scene.begin.begin(), scene.begin.end(), scene.frame.light_begin);
   LightLists lists;
-  scene.frame.lists = lists.add(scene.planes, scene.frame, width, {scene.lights, scene.begin}, std::size_t(1) << 24);
+  FrameBounds bounds(scene.planes, scene.frame, width);
+  scene.frame.lists = lists.add(bounds, {scene.lights, scene.begin}, std::size_t(1) << 24);
   ASSERT_GT(scene.frame.lists, 0);
   EXPECT_EQ(listed(lists, scene.frame), 0);
 }
 
-TEST(LightLists, ClearedListsAreThoseOfNewOnes) {
+TEST(LightLists, ListsDoNotDependOnWhatWasListedBefore) {
   Scene scene = make_scene(FACING_two_sided, 300);
-  LightLists fresh, again;
-  const SortedLights lights(scene.lights, scene.begin), few(std::span(scene.lights), std::array{0, 3, 40, 40});
-  again.add(scene.planes, scene.frame, width, lights, std::size_t(1) << 24);
-  again.clear();
-  EXPECT_EQ(again.add(scene.planes, scene.frame, width, few, std::size_t(1) << 24),
-            fresh.add(scene.planes, scene.frame, width, few, std::size_t(1) << 24));
-  EXPECT_TRUE(std::equal(again.numbers().begin() + 1, again.numbers().end(), fresh.numbers().begin() + 1, fresh.numbers().end()));
+  const SortedLights lights(scene.lights, scene.begin);
+  std::vector<LightRecord> wide = scene.lights;
+  for (LightRecord& light : wide) light.reach *= 8;
+  const SortedLights others(wide, scene.begin), few(std::span(scene.lights), std::array{0, 3, 40, 40});
+  ASSERT_NE(lights.widest_box, others.widest_box);
+  LightLists again;
+  FrameBounds held(scene.planes, scene.frame, width);
+  for (const SortedLights* now : {&lights, &others, &few, &lights}) {
+    again.clear();
+    LightLists fresh;
+    FrameBounds bounds(scene.planes, scene.frame, width);
+    EXPECT_EQ(again.add(held, *now, std::size_t(1) << 24), fresh.add(bounds, *now, std::size_t(1) << 24));
+    EXPECT_TRUE(std::equal(again.numbers().begin() + 1, again.numbers().end(), fresh.numbers().begin() + 1, fresh.numbers().end()));
+  }
 }
 
 TEST(LightLists, AFrameThatShowsNothingHasEmptyLists) {
   Scene scene = make_scene(FACING_as_stored, 300);
   std::fill(scene.planes.plane(6), scene.planes.plane(7), -1.0f);
   LightLists lists;
-  scene.frame.lists = lists.add(scene.planes, scene.frame, width, {scene.lights, scene.begin}, std::size_t(1) << 24);
+  FrameBounds bounds(scene.planes, scene.frame, width);
+  scene.frame.lists = lists.add(bounds, {scene.lights, scene.begin}, std::size_t(1) << 24);
   ASSERT_GT(scene.frame.lists, 0);
   EXPECT_EQ(listed(lists, scene.frame), 0);
 }

@@ -36,7 +36,8 @@ Outcome cut_and_compare(UnrangedScene& scene, const std::vector<float>& brute, d
   const LightCuts cuts(tree, scene.programs, scene.tables, error);
   LightLists lists;
   Frame frame = scene.frame;
-  frame.lists = lists.add(scene.planes, frame, width, {scene.lights, scene.begin, tree}, cuts, std::size_t(1) << 28);
+  FrameBounds bounds(scene.planes, frame, width);
+  frame.lists = lists.add(bounds, {scene.lights, scene.begin, tree}, cuts, std::size_t(1) << 28);
   EXPECT_GT(frame.lists, 0);
   std::swap(scene.lights, records);
   const std::vector<float> cut = shaded(scene, frame, lists.numbers());
@@ -83,7 +84,8 @@ TEST(LightTree, LightsThatAreMetGrowFarSlowerThanLights) {
     const LightCuts cuts(tree, scene.programs, scene.tables, 0.01);
     LightLists lists;
     Frame frame = scene.frame;
-    frame.lists = lists.add(scene.planes, frame, width, {scene.lights, scene.begin, tree}, cuts, std::size_t(1) << 28);
+    FrameBounds bounds(scene.planes, frame, width);
+    frame.lists = lists.add(bounds, {scene.lights, scene.begin, tree}, cuts, std::size_t(1) << 28);
     const double met = double(lights_met(frame, lists.numbers()));
     EXPECT_LT(met, lights / 4);
     if (before > 0) {
