@@ -145,7 +145,9 @@ LightReach reach_without(std::span<const LightRecord> lights, std::span<const in
 }  // namespace
 
 SortedLights::SortedLights(std::span<const LightRecord> lights, std::span<const int, LIGHT_COUNT + 1> begin, const LightTree& tree)
-    : reach(reach_without(lights, begin, tree)), spheres(reach.spheres_around(clustered)), widest_box(std::exp2(std::round(std::log2(0.5f * reach.median_reach())))) {}
+    : reach(reach_without(lights, begin, tree)),
+      spheres(reach.spheres_around(clustered)),
+      widest_box(std::exp2(std::round(std::log2(0.5f * reach.median_reach())))) {}
 
 /// Behind what there is: for each block where its list begins and ends, then the lists. Returns where that starts.
 int LightLists::append(const PixelCells& pixels, const std::vector<Listed>& listed) {

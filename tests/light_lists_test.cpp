@@ -122,7 +122,7 @@ TEST_P(EveryFacing, ListsChangeNoBit) {
     Scene scene = make_scene(GetParam(), 300);
     const std::vector<float> all = shaded(scene, {}, 0);
     LightLists lists;
-  FrameBounds bounds(scene.planes, scene.frame, width);
+    FrameBounds bounds(scene.planes, scene.frame, width);
     scene.frame.lists = lists.add(bounds, {scene.lights, scene.begin}, most);
     ASSERT_GT(scene.frame.lists, 0) << most;
     EXPECT_LE(lists.numbers().size(), most + 1);
