@@ -57,7 +57,7 @@ Meeting meet(const PixelPatch& patch, const Side& side) {
   m.farthest = (distance + radius) * 1.00001f;
   const Ints apart = nearest > 0.0f;
   m.inverse_nearest = apart ? 1.0f / nearest : plain::all_lanes(1e12f);
-  for (Floats& x : to) x = x / distance;
+  for (int c = 0; c < 3; ++c) to[c] = to[c] / distance;
   const Floats sine = apart ? least(radius / distance, one) : one, cosine = apart ? plain::square_root((one - sine) * (one + sine)) : -one;
   m.n_l = cosines_between(patch.normal, sum_of_products(patch.normal.axis, to), cosine, apart ? sine : Floats{});
   m.l_v = cosines_between(patch.view, sum_of_products(patch.view.axis, to), cosine, apart ? sine : Floats{});

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "host/culling.h"
+#include "host/space_order.h"
 
 namespace relume {
 namespace {
@@ -25,14 +26,6 @@ std::vector<int>& scratch(std::size_t size) {
 
 constexpr int together = LightReach::together;
 std::size_t padded(std::size_t count) { return (count + together - 1) / together * together; }
-
-/// The bits of a 10-bit number, two zeros between neighbours.
-std::uint32_t spread(std::uint32_t v) {
-  v = (v | v << 16) & 0x030000ff;
-  v = (v | v << 8) & 0x0300f00f;
-  v = (v | v << 4) & 0x030c30c3;
-  return (v | v << 2) & 0x09249249;
-}
 
 }  // namespace
 
@@ -106,22 +99,12 @@ void LightReach::add_lighting(std::span<const PixelBounds> parts, std::vector<in
   numbers.insert(numbers.end(), found.begin(), found.begin() + count);
 }
 
-/// Along Morton's curve (1966); lights that nothing bounds first, so that they spoil no neighbour's sphere.
+/// Lights that nothing bounds first, so that they spoil no neighbour's sphere.
 LightReach LightReach::in_space_order() const {
-  float low[3], high[3];
-  for (std::size_t c = 0; c < 3; ++c) {
-    const auto [least, most] = std::minmax_element(values_[c].begin(), values_[c].begin() + std::ptrdiff_t(size()));
-    low[c] = size() ? *least : 0, high[c] = size() ? *most : 0;
-  }
+  const auto positions = [&](std::size_t axis) { return std::span(values_[axis]).first(size()); };
+  const std::vector<std::uint32_t> places_along = places_on_curve(positions(x), positions(y), positions(z));
   std::vector<std::pair<std::uint32_t, int>> order(size());
-  for (std::size_t i = 0; i < size(); ++i) {
-    std::uint32_t code = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const float side = high[c] - low[c];
-      code |= spread(side > 0 ? std::uint32_t(1023 * ((values_[c][i] - low[c]) / side)) : 0) << c;
-    }
-    order[i] = {values_[range2][i] < infinity ? code + 1 : 0, int(i)};
-  }
+  for (std::size_t i = 0; i < size(); ++i) order[i] = {values_[range2][i] < infinity ? places_along[i] + 1 : 0, int(i)};
   std::sort(order.begin(), order.end());
   std::vector<int> places(size());
   std::transform(order.begin(), order.end(), places.begin(), [](const auto& entry) { return entry.second; });

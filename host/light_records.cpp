@@ -1,12 +1,16 @@
-// light_records: a stable sort by type, and the numbers in the form the kernels want.
+// light_records: a sort by type and place, and the numbers in the form the kernels want.
 #include "host/light_records.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/trigonometric.hpp>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "host/environment_lights.h"
+#include "host/space_order.h"
 
 namespace relume {
 namespace {
@@ -35,6 +39,27 @@ LightRecord record_of(const Light& light) {
   return r;
 }
 
+/// More records than a processor's second cache holds: then it pays that neighbours in space, which the same pixels meet, are neighbours in memory.
+constexpr std::size_t too_many_for_cache = 8192;
+
+/// In the order of their records.
+std::vector<const Light*> lights_of(int type, const std::vector<Light>& lights) {
+  std::vector<const Light*> found;
+  for (const Light& light : lights)
+    if (int(light.type) == type) found.push_back(&light);
+  if (type == LIGHT_directional || found.size() <= too_many_for_cache) return found;
+  std::array<std::vector<float>, 3> positions;
+  for (const Light* light : found)
+    for (int c = 0; c < 3; ++c) positions[std::size_t(c)].push_back(float(light->position[c]));
+  const std::vector<std::uint32_t> places = places_on_curve(positions[0], positions[1], positions[2]);
+  std::vector<std::size_t> order(found.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return places[a] < places[b]; });
+  std::vector<const Light*> sorted;
+  for (const std::size_t k : order) sorted.push_back(found[k]);
+  return sorted;
+}
+
 }  // namespace
 
 float falloff_scale(int falloff, float range_begin, float range) {
@@ -57,8 +82,7 @@ LightRecords light_records(const std::vector<Light>& lights, const EnvironmentOp
   };
   for (int type = 0; type < LIGHT_COUNT; ++type) {
     result.begin[type] = int(result.records.size());
-    for (const Light& light : lights)
-      if (int(light.type) == type) add(light, {record_of(light)});
+    for (const Light* light : lights_of(type, lights)) add(*light, {record_of(*light)});
     if (type != LIGHT_directional) continue;
     for (const Light& light : lights)
       if (light.type == LightType::environment) add_environment(light);

@@ -22,7 +22,8 @@ struct RigLight {
 };
 
 struct LightRecords {
-  std::vector<LightRecord> records;          ///< sorted by type; within a type in the rig's order; environments after directional ones
+  /// Sorted by type, environments after directional ones; within a type in the rig's order, but where there are thousands neighbours together.
+  std::vector<LightRecord> records;
   std::array<int, LIGHT_COUNT + 1> begin{};  ///< records[begin[t]] .. records[begin[t + 1]] are of type t
   std::vector<RigLight> lights;              ///< all but ambient ones, in the order of their records
   std::vector<DeviceEnvironment> environments;
@@ -31,10 +32,10 @@ struct LightRecords {
   double ambient_fraction = 0;     ///< sum of the ambient lights' fractions
 };
 
-/// Reads the images of environments. Error{input}.
 /// LightRecord::falloff_scale, for kernels to multiply by.
 float falloff_scale(int falloff, float range_begin, float range);
 
+/// Reads the images of environments. Error{input}.
 LightRecords light_records(const std::vector<Light>& lights, const EnvironmentOptions& environments = {.method = EnvironmentMethod::exact});
 
 }  // namespace relume
