@@ -42,10 +42,10 @@ std::vector<Lobe> lobes_named(const std::vector<std::string>& names) {
 }
 
 /// Lobes with their grids; what a setting does not go with is left out, but Error{input} where nothing remains.
-std::vector<Examination> to_examine(const CheckArguments& a, const std::shared_ptr<Device>& device) {
+std::vector<LobeFindings> to_examine(const CheckArguments& a, const std::shared_ptr<Device>& device) {
   Material scratch;
   for (const std::string& assignment : a.set) set_parameter(scratch, assignment);  // names and ranges
-  std::vector<Examination> all;
+  std::vector<LobeFindings> all;
   std::exception_ptr refusal;
   for (const Lobe& lobe : lobes_named(a.names)) try {
       all.push_back({examined(lobe, a.set, device), {}});
@@ -63,7 +63,7 @@ std::vector<Examination> to_examine(const CheckArguments& a, const std::shared_p
   return all;
 }
 
-bool claims_facets(const Examination& e) {
+bool claims_facets(const LobeFindings& e) {
   return std::any_of(e.lobe.claims.begin(), e.lobe.claims.end(), [](const std::string& claim) { return parsed_claim(claim).law == "facets"; });
 }
 
@@ -79,7 +79,7 @@ Json findings_json(const std::vector<LawFinding>& findings) {
   return all;
 }
 
-Json examination_json(const Examination& e) {
+Json findings_json(const LobeFindings& e) {
   const FurnaceRange range = range_of(e.lobe.furnace);
   return {{"name", e.lobe.name},
           {"half", e.lobe.diffuse ? "diffuse" : "specular"},
@@ -95,7 +95,7 @@ Json examination_json(const Examination& e) {
 }
 
 /// The twin has no state, so its lobes go side by side.
-void examine(std::vector<Examination>& lobes, const Device& device) {
+void examine(std::vector<LobeFindings>& lobes, const Device& device) {
   const auto one = [&](std::size_t i) { lobes[i].findings = findings_of(lobes[i].lobe); };
   if (device.info().name == "twin")
     tbb::parallel_for(std::size_t(0), lobes.size(), one);
@@ -107,18 +107,18 @@ int check_brdf(const CheckArguments& a) {
   if (a.all && !a.names.empty()) throw Error(ErrorKind::input, "--all: BRDFs are named too (give one or the other)");
   if (!a.figure.empty()) terminal_for(a.figure, {});  // the ending, before the work
   const std::shared_ptr<Device> device = lab_device(a.device);
-  std::vector<Examination> lobes = to_examine(a, device);
+  std::vector<LobeFindings> lobes = to_examine(a, device);
   examine(lobes, *device);
   const bool facets = std::any_of(lobes.begin(), lobes.end(), claims_facets);
   const std::vector<LawFinding> terms = facets ? findings_of_terms(device) : std::vector<LawFinding>{};
   bool plausible = std::none_of(terms.begin(), terms.end(), [](const LawFinding& f) { return f.fails(); });
-  for (const Examination& e : lobes)
+  for (const LobeFindings& e : lobes)
     plausible = plausible && std::none_of(e.findings.begin(), e.findings.end(), [](const LawFinding& f) { return f.fails(); });
   if (!a.csv.empty()) write_whole(a.csv, albedo_csv(lobes), a.overwrite);
   if (!a.figure.empty()) draw(furnace_figure(lobes), a.figure, a.overwrite);
   if (a.json) {
     Json all{{"device", device->info().name}, {"plausible", plausible}, {"brdfs", Json::array()}, {"terms", findings_json(terms)}};
-    for (const Examination& e : lobes) all["brdfs"].push_back(examination_json(e));
+    for (const LobeFindings& e : lobes) all["brdfs"].push_back(findings_json(e));
     std::cout << all.dump(2) << "\n";
   } else {
     std::cout << table_text(lobes, terms);

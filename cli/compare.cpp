@@ -18,7 +18,7 @@ struct CompareArguments {
   bool json = false;
 };
 
-nlohmann::ordered_json json_of(const Comparison& comparison) {
+nlohmann::ordered_json json_of(const ImageComparison& comparison) {
   nlohmann::ordered_json layers = nlohmann::ordered_json::array();
   for (const LayerDifference& d : comparison.layers)
     layers.push_back(
@@ -34,7 +34,7 @@ nlohmann::ordered_json json_of(const Comparison& comparison) {
 }
 
 int compare(const CompareArguments& a) {
-  const Comparison comparison = compare_images(a.image, a.reference);
+  const ImageComparison comparison = compare_images(a.image, a.reference);
   bool within = true;
   for (const LayerDifference& d : comparison.layers) within = within && d.max_error <= a.tolerance;
   if (a.json) {

@@ -73,10 +73,10 @@ struct Sums {
 
 }  // namespace
 
-Comparison compare_images(const std::filesystem::path& image_path, const std::filesystem::path& reference_path) {
+ImageComparison compare_images(const std::filesystem::path& image_path, const std::filesystem::path& reference_path) {
   const ExrFile image(image_path), reference(reference_path);
   const auto ours = channels_of(image), theirs = channels_of(reference);
-  Comparison result;
+  ImageComparison result;
   std::map<std::string, Sums> layers;
   for (const auto& [channel, part] : ours) {
     const auto found = theirs.find(channel);

@@ -19,12 +19,12 @@ struct LayerDifference {
   std::int64_t not_finite = 0;  ///< values that are NaN or infinite in one image alone: an infinite error
 };
 
-struct Comparison {
+struct ImageComparison {
   std::vector<LayerDifference> layers;
   std::vector<std::string> only_in_image, only_in_reference;  ///< channels
 };
 
 /// Channels are matched by name over all parts, pixels by display-window coordinates. Throws Error{input} where nothing can be compared.
-Comparison compare_images(const std::filesystem::path& image, const std::filesystem::path& reference);
+ImageComparison compare_images(const std::filesystem::path& image, const std::filesystem::path& reference);
 
 }  // namespace relume

@@ -169,7 +169,7 @@ CodedPicture blank(const Window& data) {
   return {width, height, 3, std::vector<unsigned char>(std::size_t(width) * std::size_t(height) * 3)};
 }
 
-void paint_row(const Band& band, const Window& data, int y, const std::string& role, bool numbers, const Style& style, CodedPicture& picture) {
+void paint_row(const DecodedRows& band, const Window& data, int y, const std::string& role, bool numbers, const Style& style, CodedPicture& picture) {
   Components components;
   for (int c = 0; const float* const row = band.row(role, c, y); ++c) components.push_back(row);
   const int step = view_step(data);
@@ -200,7 +200,7 @@ std::vector<View> false_colour_views(const ExrFile& file, const Reading& reading
   constexpr int rows = 256;  // every codec's blocks fit
   for (int top = data.min_y; top < data.max_y; top += rows) {
     const Window window{data.min_x, top, data.max_x, std::min(top + rows, data.max_y)};
-    const Band band(file, reading, roles, window);
+    const DecodedRows band(file, reading, roles, window);
     for (std::size_t k = 0; k < roles.size(); ++k)
       for (int y = top; y < window.max_y; ++y)
         if ((y - data.min_y) % view_step(data) == 0)

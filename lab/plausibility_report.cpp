@@ -49,7 +49,7 @@ std::string explained(const std::vector<LawFinding>& findings, bool claimed) {
   return text;
 }
 
-std::string row_of(const Examination& e) {
+std::string row_of(const LobeFindings& e) {
   const FurnaceRange range = range_of(e.lobe.furnace);
   std::string row = printed("%-31s %6.4f..%6.4f ", e.lobe.full_name().c_str(), range.least, range.greatest);
   for (const char* law : {"positive", "reciprocal", "conserving"})
@@ -78,10 +78,10 @@ FurnaceRange range_of(const std::vector<FurnaceRow>& furnace) {
   return range;
 }
 
-std::string table_text(const std::vector<Examination>& lobes, const std::vector<LawFinding>& terms) {
+std::string table_text(const std::vector<LobeFindings>& lobes, const std::vector<LawFinding>& terms) {
   std::string text = printed("%-31s %-15s  %-10s %-10s %-10s %s\n", "BRDF", "white furnace", "positive", "reciprocal", "conserving", "pinned by");
   std::string broken, failed;
-  for (const Examination& e : lobes) {
+  for (const LobeFindings& e : lobes) {
     text += row_of(e);
     broken += explained(e.findings, false);
     failed += explained(e.findings, true);
@@ -94,9 +94,9 @@ std::string table_text(const std::vector<Examination>& lobes, const std::vector<
   return text;
 }
 
-std::string albedo_csv(const std::vector<Examination>& lobes) {
+std::string albedo_csv(const std::vector<LobeFindings>& lobes) {
   std::string text = "half,brdf,setting,view_degrees,albedo,error\n";
-  for (const Examination& e : lobes)
+  for (const LobeFindings& e : lobes)
     for (const FurnaceRow& row : e.lobe.furnace)
       for (std::size_t i = 0; i < row.albedo.size(); ++i)
         text += printed("%s,%s,%s,%g,%.9g,%.2g\n", e.lobe.diffuse ? "diffuse" : "specular", e.lobe.name.c_str(), text_of(row.setting).c_str(),
@@ -104,12 +104,12 @@ std::string albedo_csv(const std::vector<Examination>& lobes) {
   return text;
 }
 
-Figure furnace_figure(const std::vector<Examination>& lobes) {
+Figure furnace_figure(const std::vector<LobeFindings>& lobes) {
   Figure figure;
   std::string rows, names;
   int place = int(lobes.size());
   double most = 1;
-  for (const Examination& e : lobes) {
+  for (const LobeFindings& e : lobes) {
     const FurnaceRange range = range_of(e.lobe.furnace);
     const LawFinding* conserving = finding_of(e.findings, "conserving");
     most = std::max(most, range.greatest);

@@ -10,7 +10,7 @@
 namespace relume {
 
 /// A lobe, measured, and what was found of it.
-struct Examination {
+struct LobeFindings {
   Examined lobe;
   std::vector<LawFinding> findings;
 };
@@ -24,12 +24,12 @@ struct FurnaceRange {
 FurnaceRange range_of(const std::vector<FurnaceRow>& furnace);
 
 /// A row for each lobe and each term; then, for people, each law that is not kept and by how much.
-std::string table_text(const std::vector<Examination>& lobes, const std::vector<LawFinding>& terms);
+std::string table_text(const std::vector<LobeFindings>& lobes, const std::vector<LawFinding>& terms);
 
 /// A row for each lobe, setting and angle: half, brdf, setting, view in degrees, albedo, error.
-std::string albedo_csv(const std::vector<Examination>& lobes);
+std::string albedo_csv(const std::vector<LobeFindings>& lobes);
 
 /// Ranges of the white-furnace albedo of each lobe, beside the line that conserving lobes stay below.
-Figure furnace_figure(const std::vector<Examination>& lobes);
+Figure furnace_figure(const std::vector<LobeFindings>& lobes);
 
 }  // namespace relume

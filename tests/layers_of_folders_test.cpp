@@ -2,12 +2,14 @@
 // below it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <regex>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -60,6 +62,37 @@ TEST(Folders, FilesBeginWithWhatTheyAre) {
       std::getline(in, line);
       EXPECT_EQ(line.substr(0, 3), "// ") << entry.path() << ": the first line says what the file is";
     }
+}
+
+/// What files define for others to link to: each name with its files.
+std::map<std::string, std::set<std::string>> types_of(const std::vector<std::string>& folders) {
+  const std::regex opens("^(?:inline )?namespace ?([a-z:_]*) ?\\{"), closes("^\\} *// *namespace"),
+      defines("^(?:struct|class|enum|enum class|union) (\\w+)(?: final)?(?: ?:[^:;].*)? ?\\{");
+  std::map<std::string, std::set<std::string>> types;
+  for (const std::string& folder : folders)
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(RELUME_SOURCE) / folder)) {
+      if (!std::set<std::string>{".h", ".cpp"}.contains(entry.path().extension())) continue;
+      std::vector<std::string> inside;
+      std::ifstream in(entry.path());
+      for (std::string line; std::getline(in, line);) {
+        std::smatch match;
+        if (std::regex_search(line, match, opens)) inside.push_back(match[1]);
+        if (std::regex_search(line, closes) && !inside.empty()) inside.pop_back();
+        if (!std::regex_search(line, match, defines) || std::find(inside.begin(), inside.end(), "") != inside.end()) continue;
+        std::string name;
+        for (const std::string& space : inside) name += space + "::";
+        types[name + match.str(1)].insert(entry.path().string());
+      }
+    }
+  return types;
+}
+
+/// Two of one name would share their constructors and destructors, whichever the linker keeps.
+TEST(Folders, NoTypeHasTwoDefinitions) {
+  const auto types = types_of({"gbuffer", "host", "bake", "figure", "lab", "bench", "cli"});
+  EXPECT_GT(types.size(), 200u);  // the patterns still find types
+  EXPECT_TRUE(types.contains("relume::Planes"));
+  for (const auto& [name, files] : types) EXPECT_EQ(files.size(), 1u) << name << " is defined in " << *files.begin() << " and " << *files.rbegin();
 }
 
 }  // namespace

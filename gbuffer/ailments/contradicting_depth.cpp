@@ -51,7 +51,7 @@ std::vector<Sample> samples_of(const Patient& patient) {
     if (samples.size() >= enough && eighth < 6) break;
     const int y = data.min_y + int(std::int64_t(data.height()) * eighth / 8);
     const Window window{data.min_x, y, data.max_x, y + 1};
-    const Band band(patient.file, patient.reading, {"position", "normal", "depth", "coverage"}, window);
+    const DecodedRows band(patient.file, patient.reading, {"position", "normal", "depth", "coverage"}, window);
     const Row row(band, patient.reading, frame, y);
     const float* const depth = row.stored("depth");
     for (std::size_t i = 0; i < row.place.size(); ++i)

@@ -95,7 +95,7 @@ void Examination::look_at(const Window& window, int margin) {
   const Window held{window.min_x, std::max(window.min_y - margin, all.min_y), window.max_x, std::min(window.max_y + margin, all.max_y)};
   if (lost_ >= patience) return unreadable_.add_all(window);
   try {
-    const Band band(patient_.file, patient_.reading, {roles_.begin(), roles_.end()}, held);
+    const DecodedRows band(patient_.file, patient_.reading, {roles_.begin(), roles_.end()}, held);
     join(tallies_, looked_at(band, window));
   } catch (const Error& error) {
     if (error.kind != ErrorKind::input) throw;
@@ -116,7 +116,7 @@ void Examination::lose(const Window& window, const std::string& fault) {
   unreadable_.add_all(window);
 }
 
-Examination::Tallies Examination::looked_at(const Band& band, const Window& window) const {
+Examination::Tallies Examination::looked_at(const DecodedRows& band, const Window& window) const {
   const LayerFrame frame(patient_.reading);
   const auto look = [&](const tbb::blocked_range<int>& rows, Tallies found) {
     for (int y = rows.begin(); y < rows.end(); ++y) {

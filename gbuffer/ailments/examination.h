@@ -31,7 +31,7 @@ class Examination {
   std::size_t channels() const;
   void look_at(const Window& window, int margin);
   void lose(const Window& window, const std::string& fault);
-  Tallies looked_at(const Band& band, const Window& window) const;
+  Tallies looked_at(const DecodedRows& band, const Window& window) const;
   void conclude_unreadable();
 
   const Patient& patient_;

@@ -8,7 +8,7 @@ namespace relume {
 
 using glm::dvec3;
 
-Band::Band(const ExrFile& file, const Reading& reading, const std::vector<std::string>& roles, const Window& held) : window_(held) {
+DecodedRows::DecodedRows(const ExrFile& file, const Reading& reading, const std::vector<std::string>& roles, const Window& held) : window_(held) {
   std::map<int, std::map<std::string, std::size_t>> seen;
   std::map<int, std::vector<Destination>> by_part;
   const std::size_t width = std::size_t(held.width());
@@ -29,13 +29,13 @@ Band::Band(const ExrFile& file, const Reading& reading, const std::vector<std::s
   for (const auto& [part, destinations] : by_part) file.read(part, held, destinations);
 }
 
-const float* Band::row(const std::string& role, int component, int y) const {
+const float* DecodedRows::row(const std::string& role, int component, int y) const {
   const auto found = by_role_.find(role);
   if (found == by_role_.end() || component >= int(found->second.size()) || y < window_.min_y || y >= window_.max_y) return nullptr;
   return planes_[found->second[std::size_t(component)]].data() + std::int64_t(y - window_.min_y) * window_.width();
 }
 
-Row::Row(const Band& from, const Reading& as_read, const LayerFrame& in_frame, int at)
+Row::Row(const DecodedRows& from, const Reading& as_read, const LayerFrame& in_frame, int at)
     : reading(as_read), frame(in_frame), band(from), y(at), min_x(from.window().min_x), width(from.window().width()) {
   shown.assign(std::size_t(width), Shown::surface);
   length.assign(std::size_t(width), 1);

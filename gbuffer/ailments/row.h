@@ -12,10 +12,10 @@
 namespace relume {
 
 /// Decoded channels of a band of rows: one plane a channel, however many roles share it.
-class Band {
+class DecodedRows {
  public:
   /// Reads the roles that the reading has. `held`: the rows to read, within the reading's data window.
-  Band(const ExrFile& file, const Reading& reading, const std::vector<std::string>& roles, const Window& held);
+  DecodedRows(const ExrFile& file, const Reading& reading, const std::vector<std::string>& roles, const Window& held);
 
   const Window& window() const { return window_; }
   /// The first sample of a row of a role's component; null where the role, the component or the row is not held.
@@ -35,11 +35,11 @@ enum class Shown : char {
 };
 
 struct Row {
-  Row(const Band& band, const Reading& reading, const LayerFrame& frame, int y);
+  Row(const DecodedRows& band, const Reading& reading, const LayerFrame& frame, int y);
 
   const Reading& reading;
   const LayerFrame& frame;
-  const Band& band;
+  const DecodedRows& band;
   const int y, min_x, width;
   std::vector<Shown> shown;
   std::vector<float> length;       ///< of the normal, decoded; 1 where the file has no normals
