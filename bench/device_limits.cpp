@@ -93,7 +93,7 @@ std::vector<Subject> native_limits() {
        [=] { in_shares([&](std::size_t i, std::size_t n) { native_triad(&m->a[i], &m->b[i], &m->c[i], n); }); },
        moving(3),
        {},
-       0}};
+       {}}};
 }
 
 const Measurement* find(const std::vector<Measurement>& all, const std::string& name) {

@@ -52,9 +52,7 @@ Planes RowBand::run(Device& device, const Binding& binding, Entry entry, const C
   return out;
 }
 
-Planes RowBand::evaluate(Device& device, const Binding& binding) {
-  return run(device, binding, Entry::evaluate, binding.programs().front());
-}
+Planes RowBand::evaluate(Device& device, const Binding& binding) { return run(device, binding, Entry::evaluate, binding.programs().front()); }
 
 Planes RowBand::terms(Device& device, const Binding& binding, int distribution) {
   Choice choice = binding.programs().front();
