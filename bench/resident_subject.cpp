@@ -4,7 +4,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <optional>
 #include <thread>
 
 #include "bench/image_check.h"
@@ -61,12 +60,12 @@ Subject listed_subject(const std::string& name, const std::shared_ptr<const Resi
   const int threads = std::clamp(roof.threads, 1, int(std::max(1u, std::thread::hardware_concurrency())));
   const auto arena = std::make_shared<tbb::task_arena>(threads);  // lists are made on as many threads as the device has
   const auto lists = std::make_shared<LightLists>();
-  const auto held = std::make_shared<std::optional<FrameBounds>>();
+  const auto held = bounds == Bounds::held ? std::make_shared<FrameBounds>(frame->bounds()) : nullptr;
   const auto shade = [=] {
     lists->clear();
-    if (!*held || bounds == Bounds::anew) held->emplace(frame->bounds());
+    FrameBounds anew = frame->bounds();
     Frame listed = frame->frame();
-    listed.lists = frame->list_lights(*lists, **held);
+    listed.lists = frame->list_lights(*lists, held ? *held : anew);
     const auto band = device->bind(frame->data(*out, lists->numbers()));
     band->shade(frame->choice(), listed, {});
     band->finish();
