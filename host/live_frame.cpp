@@ -75,26 +75,31 @@ std::vector<int> LiveFrame::lists_of(const LightRecords& before, const LightReco
   std::vector<int> numbers(1 + 2 * blocks, -1);  // Frame::lists is 1: 0 would mean none
   const int empty = int(numbers.size());
   numbers.push_back(0);
+  const PixelCells& pixels = bounds_->pixels();
   const CellBounds& cells = bounds_->last();
   std::atomic<std::size_t> touched = 0;
-  tbb::parallel_for(0, bounds_->pixels().cells_down(), [&](int row) {
+  tbb::parallel_for(0, pixels.cells_down(), [&](int row) {
     thread_local std::vector<int> found;
+    std::size_t touched_here = 0;
     const auto reaches = [&](const LightReach& reach, std::span<const PixelBounds> cell) {
       found.clear();
       reach.add_lighting(cell, found);
       return !found.empty();
     };
-    for (int column = 0; column < bounds_->pixels().columns(); ++column) {
+    for (int column = 0; column < pixels.columns(); ++column) {
       const std::span<const PixelBounds> cell = cells.of(row, column);
       if (cell.empty()) continue;
       const bool lit = reaches(reach_now, cell);
       if (!lit && !reaches(reach_before, cell)) continue;
-      for (const int block : bounds_->pixels().blocks_of_cell(row * PixelCells::cell_rows, column)) {
+      for (int y = row * PixelCells::cell_rows; y < (row + 1) * PixelCells::cell_rows; ++y) {
+        const int block = pixels.block_at(y, column);
+        if (block < 0) continue;
         numbers[1 + 2 * std::size_t(block)] = empty;
         numbers[2 + 2 * std::size_t(block)] = empty + lit;
-        ++touched;
+        ++touched_here;
       }
     }
+    touched += touched_here;
   });
   touched_ = blocks ? double(touched) / double(blocks) : 0;
   return numbers;

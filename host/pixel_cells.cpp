@@ -35,11 +35,6 @@ PixelCells::PixelCells(const Planes& planes, const Frame& frame, int width)
   for (std::int64_t row = 0; row <= rows_; ++row) first_of_row_.push_back(int(std::min<std::int64_t>((row * width + block - 1) / block, blocks_)));
 }
 
-std::vector<int> PixelCells::blocks_of_cell(int y, int column) const {
-  int blocks[cell_rows];
-  return {blocks, blocks + find_blocks(y, column, blocks)};
-}
-
 int PixelCells::find_blocks(int y, int column, int* blocks) const {
   int count = 0;
   for (int row = y; row < y + cell_rows; ++row)

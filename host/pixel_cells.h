@@ -33,8 +33,6 @@ class PixelCells {
   }
   int columns() const { return columns_; }
   int cells_down() const { return (rows_ + cell_rows - 1) / cell_rows; }
-  /// The numbers of the blocks of the cell whose first row is y.
-  std::vector<int> blocks_of_cell(int y, int column) const;
   /// Of the pixels that show a surface in the cell whose first row is y: in up to RELUME_CELL_PARTS parts, where sides are longer than `widest`.
   /// Returns how many parts there are.
   int bound(int y, int column, float widest, PixelBounds* parts) const;
