@@ -127,7 +127,7 @@ Reading reading_of(const ExrFile& file, const json& answer) {
     if (answer["layers"].contains(role)) reading.roles[role] = role_of(file, answer["layers"][role]);
   if (answer["layers"].contains("beauty") && answer["layers"]["beauty"]["channels"].size() == 4) {
     json alpha = answer["layers"]["beauty"];
-    alpha["channels"] = {alpha["channels"][3]};
+    alpha["channels"] = json::array({alpha["channels"][3]});
     reading.roles["coverage"] = role_of(file, alpha);
   }
   if (reading.roles.contains("position")) {
