@@ -46,7 +46,8 @@ Measurement measurement_of(const Driver& driver, int programs, int lanes) {
   for (std::string line; std::getline(lines, line);) {
     json parsed = json::parse(line, nullptr, false);
     if (parsed.is_discarded()) parsed = {{"error", line}};
-    (parsed.contains("device") ? m.device : m.programs.emplace_back()) = std::move(parsed);
+    json& place = parsed.contains("device") ? m.device : m.programs.emplace_back();
+    place = std::move(parsed);
   }
   return m;
 }
