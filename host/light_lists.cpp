@@ -130,8 +130,8 @@ void place(const PixelCells& pixels, const Listed& listed, int* blocks, int* num
       for (int column = list.column; column < list.column + list.columns; ++column) {
         const int block = pixels.block_at(y, column);
         if (block < 0) continue;
-        blocks[2 * block] = offset + list.begin;
-        blocks[2 * block + 1] = offset + list.end;
+        blocks[2 * std::size_t(block)] = offset + list.begin;
+        blocks[2 * std::size_t(block) + 1] = offset + list.end;
       }
 }
 

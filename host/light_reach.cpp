@@ -147,7 +147,7 @@ void LightReach::members_near(std::span<const PixelBounds> boxes, const LightRea
   thread_local std::vector<std::uint64_t> is_near;  // a bit for each light, by number: all 0 between calls
   near_spheres.resize(padded(spheres.size()));
   const int near_count = culling().places_near(spheres.columns(), 0, int(spheres.size()), boxes.data(), int(boxes.size()), near_spheres.data());
-  places.resize(std::size_t(near_count * count));
+  places.resize(std::size_t(near_count) * std::size_t(count));
   int found = 0;
   for (int k = 0; k < near_count; ++k) {
     const int first = near_spheres[std::size_t(k)] * count, last = std::min(first + count, int(size()));

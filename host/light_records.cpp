@@ -55,8 +55,8 @@ std::vector<const Light*> lights_of(int type, const std::vector<Light>& lights) 
   std::vector<std::size_t> order(found.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return places[a] < places[b]; });
-  std::vector<const Light*> sorted;
-  for (const std::size_t k : order) sorted.push_back(found[k]);
+  std::vector<const Light*> sorted(found.size());
+  std::transform(order.begin(), order.end(), sorted.begin(), [&](std::size_t k) { return found[k]; });
   return sorted;
 }
 
