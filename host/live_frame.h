@@ -3,8 +3,8 @@
 //
 // How it stays exact: one light is held apart. The sums of all the others, as they are before the held light is added, lie beside the picture, and a
 // change adds the held light to them anew; nothing is ever subtracted, so nothing drifts. The picture depends on the lights and on which one is held,
-// not on what they were before: its bits are those of shading the others in the rig's order and the held one last. To hold another light costs one
-// shading of the frame.
+// not on what they were before: its bits are those of shading the others as ever (host/light_records.h) and the held one last. To hold another light
+// costs one shading of the frame.
 #pragma once
 
 #include <functional>
