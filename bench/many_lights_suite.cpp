@@ -16,13 +16,18 @@ struct Setting {
 constexpr Setting settings[] = {{"1280x720", {1280, 720}, 1}, {"1280x720_r2", {1280, 720}, 2}, {"1920x1200", {1920, 1200}, 1}};
 constexpr unsigned seed = 7;
 
+constexpr struct {
+  Bounds bounds;
+  const char* suffix;
+} variants[] = {{Bounds::anew, ""}, {Bounds::held, "_held"}};
+
 Group group_of(const Bench& bench, const Setting& setting) {
   const std::string prefix = std::string("many_lights/") + setting.name + "/";
   Group group;
   for (const BenchDevice& d : bench.devices)
-    for (const char* bounds : {"", "_held"}) {
-      group.names.push_back(prefix + d.label + bounds);
-      if (!d.is_twin()) group.names.push_back(prefix + d.label + bounds + "_1_thread");
+    for (const auto& variant : variants) {
+      group.names.push_back(prefix + d.label + variant.suffix);
+      if (!d.is_twin()) group.names.push_back(prefix + d.label + variant.suffix + "_1_thread");
     }
   group.make = [&bench, &setting, prefix](const std::function<bool(const std::string&)>& is_wanted) {
     const ManyLights scene = many_lights(setting.size.width, setting.size.height, setting.reach, seed);
@@ -36,8 +41,8 @@ Group group_of(const Bench& bench, const Setting& setting) {
       made.back().work.pixel_lights = {{"culled", tiles.culled}, {"in range", tiles.in_range}, {"brute", tiles.brute}};
     };
     for (const BenchDevice& d : bench.devices)
-      for (const Bounds bounds : {Bounds::anew, Bounds::held}) {
-        const std::string name = prefix + d.label + (bounds == Bounds::held ? "_held" : "");
+      for (const auto& [bounds, suffix] : variants) {
+        const std::string name = prefix + d.label + suffix;
         add(name, d.open(), d.roof(), bounds);
         add(name + "_1_thread", d.open_one_thread(), d.roof(1), bounds);
       }

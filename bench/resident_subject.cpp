@@ -4,6 +4,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <optional>
 #include <thread>
 
 #include "bench/image_check.h"
@@ -63,9 +64,9 @@ Subject listed_subject(const std::string& name, const std::shared_ptr<const Resi
   const auto held = bounds == Bounds::held ? std::make_shared<FrameBounds>(frame->bounds()) : nullptr;
   const auto shade = [=] {
     lists->clear();
-    FrameBounds anew = frame->bounds();
+    std::optional<FrameBounds> anew;
     Frame listed = frame->frame();
-    listed.lists = frame->list_lights(*lists, held ? *held : anew);
+    listed.lists = frame->list_lights(*lists, held ? *held : anew.emplace(frame->bounds()));
     const auto band = device->bind(frame->data(*out, lists->numbers()));
     band->shade(frame->choice(), listed, {});
     band->finish();
